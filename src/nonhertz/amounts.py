@@ -119,7 +119,7 @@ US: Final = Units(
     ),
     MappingProxyType({"ksi": (1.0, ("psi", 1e-3))}),
 )
-SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({each.code: each for each in (SI, US)})
+SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({units.code: units for units in (SI, US)})
 
 _CHOSEN: ContextVar[Units] = ContextVar("units", default=SI)
 
@@ -197,10 +197,10 @@ class Amount:
 
     def apart(self, spec: str = "") -> tuple[list[str], str]:
         """Return the numbers as text, and the unit that they share."""
-        (factor, unit), asked = self.scale, spec.strip(".g")
+        (factor, unit), precision = self.scale, spec.strip(".g")
         if not spec.endswith("g"):
-            return [digits(factor * value, int(asked or 5)) for value in self.values], unit
-        most = int(asked or 6)
+            return [digits(factor * value, int(precision or 5)) for value in self.values], unit
+        most = int(precision or 6)
         if chosen() is SI:
             return [given(factor * value, most) for value in self.values], unit
         # An input converted to other units has not become more exact by that.
@@ -400,7 +400,9 @@ def with_error(shown: Amount, error: float) -> str:
         return f"{digits(value)} +- {digits(error)} {unit}".rstrip()
     place = 1 - math.floor(math.log10(error))
     # Nothing below zero is left of -0.4 that is rounded; the sum of -0.0 and 0.0 has no sign.
-    return f"{' +- '.join(f'{round(each, place) + 0.0:.{max(place, 0)}f}' for each in (value, error))} {unit}".rstrip()
+    return (
+        f"{' +- '.join(f'{round(number, place) + 0.0:.{max(place, 0)}f}' for number in (value, error))} {unit}".rstrip()
+    )
 
 
 def error_words(relative: float) -> str:

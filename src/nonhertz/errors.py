@@ -52,8 +52,8 @@ class InputError(NonhertzError, ValueError):
         wordless = isinstance(self.value, Mapping) or (
             self.field.startswith("--") and (self.value is None or self.value is True)
         )
-        given = self.field if wordless else f"{self.field} = {shown(self.value)}"
-        return f"{given} must {self.condition}: {self.remedy}{'' if self.remedy.endswith('?') else '.'}"
+        problem = self.field if wordless else f"{self.field} = {shown(self.value)}"
+        return f"{problem} must {self.condition}: {self.remedy}{'' if self.remedy.endswith('?') else '.'}"
 
     def within(self, place: str) -> InputError:
         """Return the same error with the field named inside ``place``, such as ``"body.a"``."""
@@ -104,9 +104,9 @@ class UnknownKeyError(InputError):
 
     def within(self, place: str) -> UnknownKeyError:
         """Return the same error with both names inside ``place``."""
-        found = self.about(_inside(place, self.field), self.value)
-        found.meant = _inside(place, self.meant) if self.meant else ""
-        return found
+        error = self.about(_inside(place, self.field), self.value)
+        error.meant = _inside(place, self.meant) if self.meant else ""
+        return error
 
     def about(self, field: str, value: object) -> UnknownKeyError:
         """Return the same error about a field of another name or value."""

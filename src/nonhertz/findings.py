@@ -43,6 +43,11 @@ class Finding:
     words: str
     numbers: tuple[tuple[str, Any], ...] = ()
 
+    @classmethod
+    def from_text(cls, sentence: str, kind: str = "") -> Finding:
+        """Return a finding of which only the sentence is known."""
+        return cls(kind, "{sentence}", (("sentence", sentence),))
+
     def __str__(self) -> str:
         return self.words.format(**dict(self.numbers))
 
@@ -78,23 +83,18 @@ def finding(kind: str, words: str, /, **numbers: Any) -> Finding:
     return Finding(kind, words, tuple(numbers.items()))
 
 
-def said(sentence: str, kind: str = "") -> Finding:
-    """Return a finding of which only the sentence is known."""
-    return finding(kind, "{sentence}", sentence=sentence)
-
-
-def sentences(found: Iterable[Finding]) -> tuple[str, ...]:
+def sentences(findings: Iterable[Finding]) -> tuple[str, ...]:
     """Return what findings say, without repeats."""
-    return tuple(dict.fromkeys(map(str, found)))
+    return tuple(dict.fromkeys(map(str, findings)))
 
 
-def as_warnings(found: Iterable[Finding], notes: Iterable[str] = ()) -> dict[str, Any]:
+def as_warnings(findings: Iterable[Finding], notes: Iterable[str] = ()) -> dict[str, Any]:
     """Return findings as files have them: sentences, after any notes, and kinds with their numbers."""
-    objects = [each.as_object() for each in dict.fromkeys(found)]
-    return {"warnings": list(dict.fromkeys((*notes, *(each.pop("sentence") for each in objects)))), "findings": objects}
+    objects = [entry.as_object() for entry in dict.fromkeys(findings)]
+    return {"warnings": list(dict.fromkeys((*notes, *(item.pop("sentence") for item in objects)))), "findings": objects}
 
 
-def warn(found: Iterable[Finding], stacklevel: int = 2) -> None:
+def warn(findings: Iterable[Finding], stacklevel: int = 2) -> None:
     """Issue each finding as an `AccuracyWarning`."""
-    for each in found:
-        warnings.warn(str(each), AccuracyWarning, stacklevel=stacklevel + 1)
+    for entry in findings:
+        warnings.warn(str(entry), AccuracyWarning, stacklevel=stacklevel + 1)

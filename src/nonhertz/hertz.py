@@ -338,10 +338,10 @@ def _combined(radius_x: object, radius_y: object, angle: float) -> tuple[float, 
     curvatures = []
     for name, radii in (("radius_x", radius_x), ("radius_y", radius_y)):
         pair = list(radii) if isinstance(radii, tuple | list) else []
-        if len(pair) != 2 or not all(isinstance(each, Real) and abs(float(each)) >= LEAST for each in pair):
+        if len(pair) != 2 or not all(isinstance(radius, Real) and abs(float(radius)) >= LEAST for radius in pair):
             condition = "be a pair of radii other than zero where one radius is a pair or an angle is given"
             raise InputError(name, radii, condition, "give those of body a and body b in mm, infinite where straight")
-        curvatures.append([1.0 / float(each) for each in pair])
+        curvatures.append([1.0 / float(radius) for radius in pair])
     (ax, bx), (ay, by) = curvatures
     # A body's curvature in a plane at phi from its x is its mean plus its half-difference times cos 2 phi.
     mean, half = 0.5 * (ax + ay + bx + by), 0.5 * (ax - ay) + 0.5 * (bx - by) * cmath.exp(2j * angle)
@@ -528,4 +528,4 @@ def _refuse_wider(contact: LineContact, name: str, value: float, remedy: str) ->
     if not isinstance(contact, LineContact):
         raise InputError("contact", contact, "be a LineContact", "make one with line_contact")
     condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"
-    number_that(lambda given: given > 2.0 * contact.half_width, condition, positive)(name, value, remedy)
+    number_that(lambda width: width > 2.0 * contact.half_width, condition, positive)(name, value, remedy)

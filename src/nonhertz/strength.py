@@ -140,8 +140,8 @@ class Strength(HasFindings, ReadOnly):
     @property
     def verdict(self) -> Verdict:
         """Over if any check is, else not known if any is, else fine."""
-        found = {check.verdict for check in self.checks}
-        return next(each for each in (Verdict.OVER, Verdict.UNKNOWN, Verdict.FINE) if each in found)
+        verdicts = {check.verdict for check in self.checks}
+        return next(level for level in (Verdict.OVER, Verdict.UNKNOWN, Verdict.FINE) if level in verdicts)
 
     def _ratio(self, name: str) -> float:
         return next((check.ratio for check in self.checks if check.name == name), math.nan)
@@ -225,7 +225,7 @@ def assess(
         if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
     inside = Inside.of(solution, name)
-    asked = _Question(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
+    question = _Question(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
     below_contact = []
     if body.case_depth is not None:
         # Not at a bore, which no case of the surface reaches.
@@ -234,11 +234,11 @@ def assess(
         # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
         below_contact.append(extremes(solution, _widest(solution), depths=half, **options))
     checks = (
-        asked.pressure(solution.max_pressure),
-        asked.yields(case),
-        *asked.of_bore(largest.bore),
-        *asked.of_core(core),
-        *asked.of_case(below_contact),
+        question.pressure(solution.max_pressure),
+        question.yields(case),
+        *question.of_bore(largest.bore),
+        *question.of_core(core),
+        *question.of_case(below_contact),
     )
     return Strength(name, criterion, checks, largest, core, largest.findings)
 
@@ -276,11 +276,11 @@ def judge(
     kind, which are searched.
     """
     part = solution.contact.a if body == "a" else solution.contact.b
-    asked = _Question(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
-    pressure = () if part.material.pressure_limit is None else (asked.pressure(solution.max_pressure),)
+    question = _Question(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
+    pressure = () if part.material.pressure_limit is None else (question.pressure(solution.max_pressure),)
     if part.material.yield_strength is None and part.case_depth is None:
         return pressure
-    by_pressure = tuple(asked.without_search(solution))
+    by_pressure = tuple(question.without_search(solution))
     if all(check.verdict is not Verdict.UNKNOWN for check in by_pressure) or not search:
         return (*pressure, *by_pressure)
     checks = assess(solution, body=body).checks
@@ -367,23 +367,23 @@ class _Question:
     stepped: bool
     where: str = ""
 
-    def pressure(self, found: float) -> Check:
+    def pressure(self, largest: float) -> Check:
         """Return the check of the largest pressure [MPa]."""
         allowed = self.body.material.pressure_limit
         if allowed is None:
             words = f"Static safety is not known: the material of {self.name} has no pressure limit."
             return _unknown("pressure", words, unasked=True)
-        ratio = found / allowed
+        ratio = largest / allowed
         # A bearing has an S0 of its own, C0 / P0.
         safety = "" if self.where else f"static safety S0 = {digits(ratio**-2.0, 3)}"
         limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
             what = f"The largest pressure of {{pressure}}{self.where}"
-            return _known("pressure", ratio, what, allowed, limit, safety, pressure=mpa(found))
+            return _known("pressure", ratio, what, allowed, limit, safety, pressure=mpa(largest))
         towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
             return _unknown("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
-        numbers = {"ends": self.limit.towards, "pressure": mpa(found)}
+        numbers = {"ends": self.limit.towards, "pressure": mpa(largest)}
         what = f"T{towards}; more than a half-width away {{pressure}}"
         return _known("pressure", ratio, what, allowed, limit, safety, **numbers)
 
@@ -451,8 +451,8 @@ class _Question:
             words = f"Whether {case} is deep enough is not known: the stress grows without limit towards {{ends}}."
             yield _unknown(name, words, ends=self.limit.towards)
             return
-        shear = max(each.shear.z for each in largest)
-        orthogonal = max(each.orthogonal_shear.z for each in largest)
+        shear = max(extremes.shear.z for extremes in largest)
+        orthogonal = max(extremes.orthogonal_shear.z for extremes in largest)
         ratio = max(shear, orthogonal) / depth
         enough = "reaches below" if ratio <= 1.0 else "does not reach below"
         words = (
@@ -462,20 +462,20 @@ class _Question:
         numbers = {"depth": mm(depth), "shear": mm(shear), "orthogonal": mm(orthogonal)}
         yield Check(name, _verdict(ratio), ratio, finding(name, words, **numbers))
 
-    def _equivalent(self, found: Extremes) -> Extreme:
+    def _equivalent(self, extremes: Extremes) -> Extreme:
         if self.criterion == "von-mises":
-            return found.von_mises
-        shear = found.shear
+            return extremes.von_mises
+        shear = extremes.shear
         return replace(shear, max=2.0 * shear.max)
 
-    def _against(self, name: str, what: str, found: Extreme, strength: str) -> Check:
+    def _against(self, name: str, what: str, extreme: Extreme, strength: str) -> Check:
         """Return the check of an equivalent stress with a strength of the material."""
         allowed = getattr(self.body.material, strength)
         open_question = f"Whether {what} yields is not known"
         stress = CRITERIA[self.criterion]
-        found_there = f"{{stress}} {found.site}y = {{y:3}} and z = {{z:3}}"
-        numbers: dict[str, Any] = {"ends": self.limit.towards, "stress": mpa(found.max)}
-        numbers |= {"y": mm(found.y), "z": mm(found.z)}
+        found_there = f"{{stress}} {extreme.site}y = {{y:3}} and z = {{z:3}}"
+        numbers: dict[str, Any] = {"ends": self.limit.towards, "stress": mpa(extreme.max)}
+        numbers |= {"y": mm(extreme.y), "z": mm(extreme.z)}
         towards = "the stress grows without limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
@@ -485,7 +485,7 @@ class _Question:
                 unasked=True,
                 **numbers,
             )
-        ratio = found.max / allowed
+        ratio = extreme.max / allowed
         if self.stepped and ratio <= 1.0:
             return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
         if self.limit:

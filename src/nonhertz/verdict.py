@@ -92,7 +92,7 @@ class Verdict:
     @property
     def words(self) -> str:
         """How it ends, as the beginning of what people read: where nothing is exceeded, what was judged."""
-        passed = dict.fromkeys(_PASSED[each.kind] for each in self.findings if each.kind in _PASSED)
+        passed = dict.fromkeys(_PASSED[finding.kind] for finding in self.findings if finding.kind in _PASSED)
         ends = ", ".join(passed) if self.level is Level.MET else self.level.value
         among = ("; worst " if self.level is Level.MET else " ") if self.where else ""
         return f"{ends[:1].upper()}{ends[1:]}{among}{self.where}."
@@ -107,13 +107,13 @@ class Verdict:
         return {
             "level": self.level.name.lower().replace("_", "-"),
             **({"where": self.where} if self.where else {}),
-            "findings": [each.as_object() for each in self.findings],
+            "findings": [item.as_object() for item in self.findings],
         }
 
 
-def given_verdict(found: Verdict | None) -> dict[str, Any] | None:
+def given_verdict(verdict: Verdict | None) -> dict[str, Any] | None:
     """Return a verdict, if there is one, as files have it."""
-    return None if found is None else found.as_object()
+    return None if verdict is None else verdict.as_object()
 
 
 def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search: bool = True) -> Verdict | None:
@@ -130,7 +130,7 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search
     """
     if not solution.contact_y:
         return None
-    at_hand = {each.body: each.checks for each in strengths}
+    at_hand = {strength.body: strength.checks for strength in strengths}
     bodies = dict(zip(BODIES, (solution.contact.a, solution.contact.b), strict=True))
     checks = [check for name in BODIES for check in at_hand.get(name) or judge(solution, body=name, search=search)]
     return _worst(
@@ -147,17 +147,17 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search
 
 def of_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
     """Return the worst verdict on a contact under several loads; of pairs, each with something else such as a share."""
-    return worst_of({f"under {loaded(each.load, each.tilt)}": of_contact(each) for each, _ in solved})
+    return worst_of({f"under {loaded(solution.load, solution.tilt)}": of_contact(solution) for solution, _ in solved})
 
 
-def with_life(found: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
+def with_life(verdict: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
     """Return a verdict that counts whether a life [10^6 revolutions] is as long as is asked for, if any is."""
-    if found is None or required is None:
-        return found
-    return _beside(found, [_lasting(life, required)])
+    if verdict is None or required is None:
+        return verdict
+    return _beside(verdict, [_lasting(life, required)])
 
 
-def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
+def worst_of(verdicts: Mapping[str, Verdict | None]) -> Verdict | None:
     """Return the worst of several verdicts, which says by its name which one it is; None if there are none.
 
     Examples
@@ -166,12 +166,12 @@ def worst_of(found: Mapping[str, Verdict | None]) -> Verdict | None:
     >>> worst_of({"in a.toml": met, "in b.toml": strained}).words
     'Model strained in b.toml under 5 kN.'
     """
-    given = {where: each for where, each in found.items() if each is not None}
-    worst = max(given, key=lambda where: (given[where].level.rank, given[where].severity), default=None)
+    known = {where: verdict for where, verdict in verdicts.items() if verdict is not None}
+    worst = max(known, key=lambda where: (known[where].level.rank, known[where].severity), default=None)
     if worst is None:
         return None
-    found_worst = given[worst]
-    return replace(found_worst, where=f"{worst} {found_worst.where}".strip()) if len(given) > 1 else found_worst
+    found_worst = known[worst]
+    return replace(found_worst, where=f"{worst} {found_worst.where}".strip()) if len(known) > 1 else found_worst
 
 
 def of_rows(
@@ -211,20 +211,20 @@ def of_rows(
     strained = int(np.count_nonzero(np.asarray(warned, dtype=float) > 0.0))
     if worst is None or len(solved) == 1:
         return worst
-    found: list[tuple[Level, Finding]] = []
+    findings: list[tuple[Level, Finding]] = []
     if len(largest) == 1:
         worst = replace(worst, where=f"in {what} {largest.popitem()[1]}")
-        found += _beyond(known[solved], worst, f"{what}s")
+        findings += _beyond(known[solved], worst, f"{what}s")
     if strained:
         words = f"{{strained}} of {{rows}} {what}s have warnings: solve one of them to read which."
-        found.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=len(solved))))
-    return _beside(worst, found)
+        findings.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=len(solved))))
+    return _beside(worst, findings)
 
 
 def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
     """Yield how many rows exceed the limit of the pressure that the worst does."""
-    for each in worst.findings:
-        limit = dict(each.numbers).get("allowed") if each.kind == "pressure" else None
+    for passed in worst.findings:
+        limit = dict(passed.numbers).get("allowed") if passed.kind == "pressure" else None
         if limit is not None and (over := int(np.count_nonzero(pressures > limit.values[0]))):
             words = "{over} of {rows} " + f"{what} exceed{'s' if over == 1 else ''} {{limit:g}}."
             yield Level.NOT_MET, finding("rows-beyond", words, over=over, rows=len(pressures), limit=limit)
@@ -253,33 +253,33 @@ def of_bearing(
     limits : iterable of Limit
         How it compares with what makers publish.
     """
-    found = [] if clearance is None else list(_loosened(clearance))
+    findings = [] if clearance is None else list(_loosened(clearance))
     checks = list(_of_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
-    found += _judged(checks)
+    findings += _judged(checks)
     if life is not None and math.isfinite(life.static_safety):
         enough = life.static_safety >= 1.0
         words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
-        found.append(
+        findings.append(
             (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
         )
     if life is not None and life.required is not None:
-        found.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
-    found += _parted(films)
-    found += [(_OF_LIMIT[met], each) for met, each in limits]
-    if not found and not solution.load.any():
+        findings.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
+    findings += _parted(films)
+    findings += [(_OF_LIMIT[met], item) for met, item in limits]
+    if not findings and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing
     parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
-    found += _unknown({name: part.material for name, part in parts.items()})
-    return _worst([*found, *_strained(findings_of(solution, life, clearance))], checks) if found else None
+    findings += _unknown({name: part.material for name, part in parts.items()})
+    return _worst([*findings, *_strained(findings_of(solution, life, clearance))], checks) if findings else None
 
 
 def findings_of(
     solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
 ) -> tuple[Finding, ...]:
     """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
-    beside = (each.findings for each in (life, clearance) if each is not None)
-    return (*solution.findings, *(found for each in beside for found in each))
+    beside = (source.findings for source in (life, clearance) if source is not None)
+    return (*solution.findings, *(item for source in beside for item in source))
 
 
 def _parted(films: Films | None) -> Iterator[tuple[Level, Finding]]:
@@ -316,9 +316,9 @@ def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
 def _judged(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
     """Yield each comparison that the material allows, those with equal words once, the largest ratio first."""
     levels = {OfStrength.FINE: Level.MET, OfStrength.OVER: Level.NOT_MET, OfStrength.UNKNOWN: Level.NOT_JUDGED}
-    asked = [each for each in checks if not each.unasked]
-    ordered = sorted(asked, key=lambda check: -check.ratio if math.isfinite(check.ratio) else 0.0)
-    yield from {str(each.finding): (levels[each.verdict], each.finding) for each in ordered}.values()
+    required = [check for check in checks if not check.unasked]
+    ordered = sorted(required, key=lambda check: -check.ratio if math.isfinite(check.ratio) else 0.0)
+    yield from {str(check.finding): (levels[check.verdict], check.finding) for check in ordered}.values()
 
 
 def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding]]:
@@ -354,17 +354,17 @@ def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:
         yield Level.UNLIMITED, finding("no-limit", words)
 
 
-def _strained(found: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
-    return ((Level.STRAINED, each) for each in found if each.kind not in _OF_ENDS)
+def _strained(findings: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
+    return ((Level.STRAINED, item) for item in findings if item.kind not in _OF_ENDS)
 
 
 def _beside(verdict: Verdict, more: Iterable[tuple[Level, Finding]]) -> Verdict:
     """Return a verdict that counts more than it did, what decides it first."""
-    together = _worst([*((verdict.level, each) for each in verdict.findings), *more], ())
+    together = _worst([*((verdict.level, item) for item in verdict.findings), *more], ())
     return replace(verdict, level=together.level, findings=together.findings)
 
 
-def _worst(found: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
-    ordered = sorted(found, key=lambda each: -each[0].rank)
+def _worst(findings: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
+    ordered = sorted(findings, key=lambda entry: -entry[0].rank)
     ratio = max((check.ratio for check in checks if math.isfinite(check.ratio)), default=0.0)
-    return Verdict(ordered[0][0], tuple(each for _, each in ordered), severity=(ratio, pressure))
+    return Verdict(ordered[0][0], tuple(item for _, item in ordered), severity=(ratio, pressure))

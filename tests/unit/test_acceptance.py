@@ -13,7 +13,7 @@ from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
 from nonhertz.result.maximum import largest_pressure
-from nonhertz.result.outcome import kept, outcome, restored
+from nonhertz.result.outcome import outcome, restored, states_of_levels
 from nonhertz.solver.one import problem_of, result_of
 from nonhertz.strip.influence import kernel_of
 
@@ -39,7 +39,7 @@ def verdict(problem, state):
 
 def changed_of(result, changed):
     """The finest state of a result with some of its arrays changed."""
-    finest = kept(result)[0]._replace(rigid=np.array(result.rigid), stiffness=np.array(result.stiffness))
+    finest = states_of_levels(result)[0]._replace(rigid=np.array(result.rigid), stiffness=np.array(result.stiffness))
     return finest._replace(**{name: change(finest) for name, change in changed.items()})
 
 
@@ -147,7 +147,7 @@ def test_surfaces_of_another_curvature_are_refuted():
 def test_a_loop_that_is_mistaken_of_itself_is_not_believed():
     """Springs are no solution, even if their state claims to be one."""
     problem, result = solved(BY_FORCE)
-    edges, y = result.edges, middles(kept(result)[0])
+    edges, y = result.edges, middles(states_of_levels(result)[0])
     none, sharper = np.zeros((0, 0)), np.full(y.shape, 0.1)
     grid = core.Grid(edges, FINITE.curvature(y), FINITE.separation(y), np.full(y.shape, np.inf), sharper, none, none)
     springs = core.start_from_springs(

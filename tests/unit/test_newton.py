@@ -8,7 +8,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.result.outcome import Kept, outcome, restored
+from nonhertz.result.outcome import LevelState, outcome, restored
 from nonhertz.solver.one import problem_of
 
 STRIPS = 21
@@ -104,7 +104,7 @@ def ended(status):
     """What is said of a contact whose loop has ended so."""
     problem = problem_of(contact(), Prescription(load=7e3, tilt=0.0), nh.SEMI_ELLIPTIC)
     edges, nothing = np.linspace(-10.0, 10.0, 12), np.zeros(11)
-    left = Kept(edges, nothing, nothing, nothing, (0.01, 0.0), ((0.0, 0.0), (0.0, 0.0)), int(status), 60, np.inf)
+    left = LevelState(edges, nothing, nothing, nothing, (0.01, 0.0), ((0.0, 0.0), (0.0, 0.0)), int(status), 60, np.inf)
     with pytest.raises(nh.ConvergenceError) as failure:
         outcome(problem, restored(problem, [left], 0.0))
     return failure.value

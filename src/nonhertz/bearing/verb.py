@@ -24,7 +24,7 @@ from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
 from nonhertz.bearing.strips import stripped
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.findings import said, warn
+from nonhertz.findings import Finding, warn
 from nonhertz.inputs.checks import thread_count
 from nonhertz.inputs.fields import Count, Input, Word, described, taking
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
@@ -140,7 +140,7 @@ def solve(
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
-        strained = (said(f"There are no pressures: {error}", "no-pressures"),)
+        strained = (Finding.from_text(f"There are no pressures: {error}", "no-pressures"),)
     warn(strained)
     return solution
 

@@ -272,9 +272,9 @@ class AxisOfRoller(_WorkedOutInCore):
 
 def in_core(reference: Reference) -> InCore:
     """Return a reference in C++, or what calls it."""
-    found: InCore | None = getattr(reference, "core", None)
-    if found is not None:
-        return found
+    converted: InCore | None = getattr(reference, "core", None)
+    if converted is not None:
+        return converted
 
     def displaced(y: Array, edges: Array) -> Array:
         return np.ascontiguousarray(reference.displacement(y, edges), dtype=float)

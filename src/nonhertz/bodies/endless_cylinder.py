@@ -58,18 +58,18 @@ def _table(poisson: float) -> Array:
     half = 0.5 * np.diff(borders)[:, None]
     k, share = (borders[:-1, None] + half * (1.0 + node)).ravel(), (half * weight).ravel()
     s, last = _places()[:, None], _BANDS[-1]
-    found = 2.0 * (np.sin(k * s) / k) @ (share * _transform(k, poisson))
+    table = 2.0 * (np.sin(k * s) / k) @ (share * _transform(k, poisson))
     # Beyond the last wave number the transform falls as 1 / k.
     with np.errstate(divide="ignore", invalid="ignore"):
         tail = np.sin(last * s) / last - s * special.sici(last * s)[1]
     tail[0] = 0.0
-    found += 2.0 * last * difference_spectrum(np.array([last]), poisson) * tail[:, 0]
-    return np.asarray(found)
+    table += 2.0 * last * difference_spectrum(np.array([last]), poisson) * tail[:, 0]
+    return np.asarray(table)
 
 
 def _transform(k: Array, poisson: float) -> Array:
     """Return D(k) + K0(k) / pi, whose transform is g(s) + 1 / sqrt(1 + s^2); smooth, so by polynomials in bands."""
-    found = np.empty_like(k)
+    transform = np.empty_like(k)
     # Imported here, because most contacts need none of this.
     from scipy import special
 
@@ -79,8 +79,8 @@ def _transform(k: Array, poisson: float) -> Array:
         values = difference_spectrum(at, poisson) + special.k0(at) / math.pi
         fit = chebyshev.chebfit(points, values, _DEGREE)
         these = (k >= low) & (k <= high)
-        found[these] = chebyshev.chebval((2.0 * k[these] - low - high) / (high - low), fit)
-    return found
+        transform[these] = chebyshev.chebval((2.0 * k[these] - low - high) / (high - low), fit)
+    return transform
 
 
 def difference_spectrum(k: Array, poisson: float) -> Array:
@@ -119,11 +119,11 @@ def modes(k: Array, most: int, poisson: float) -> Array:
 
 def _ratios(k: Array, most: int) -> dict[int, Array]:
     """Return I_(n+1)(k) / I_n(k) for even n, downwards from where it no longer matters."""
-    found, ratio = {}, np.zeros_like(k)
+    ratios, ratio = {}, np.zeros_like(k)
     for n in range(most + 60 + int(2.0 * k.max()), -1, -1):
         ratio = 1.0 / (2.0 * (n + 1) / k + ratio)
-        found[n] = ratio
-    return found
+        ratios[n] = ratio
+    return ratios
 
 
 def _mode(n: int, k: Array, ratio: Array, poisson: float) -> Array:
@@ -141,10 +141,10 @@ def _mode(n: int, k: Array, ratio: Array, poisson: float) -> Array:
     potentials = [(of_above, of_above, zero), (zero, zero, of_n)]
     if n:
         potentials.insert(1, (of_below, (-of_below[0], -of_below[1], none), zero))
-    stresses, motions = zip(*(_on_surface(n, k, each, poisson) for each in potentials), strict=True)
-    asked = (0, 1, 2) if n else (0, 2)  # around the axis nothing is sheared for n = 0
-    matrix = np.array([[stress[i] for stress in stresses] for i in asked]).transpose(2, 0, 1)
-    load = np.zeros((k.size, len(asked), 1))
+    stresses, motions = zip(*(_on_surface(n, k, potential, poisson) for potential in potentials), strict=True)
+    components = (0, 1, 2) if n else (0, 2)  # around the axis nothing is sheared for n = 0
+    matrix = np.array([[stress[i] for stress in stresses] for i in components]).transpose(2, 0, 1)
+    load = np.zeros((k.size, len(components), 1))
     load[:, 0] = -1.0
     amplitudes = np.linalg.solve(matrix, load)[..., 0]
     moved: Array = np.sum(amplitudes * np.array(motions).T, axis=1)

@@ -162,28 +162,28 @@ def shares(contact: Contact) -> tuple[float, float]:
 
 def ends(contact: Contact) -> tuple[End, ...]:
     """Return the free side faces of both bodies, coincident ones combined."""
-    found: list[End] = []
+    candidates: list[End] = []
     share = shares(contact)
     for index, side in enumerate((-1, 1)):
         faces = contact.a.faces[index], contact.b.faces[index]
-        asked = contact.a.face_weights[index], contact.b.face_weights[index]
-        kappa = asked[0] * share[0], asked[1] * share[1]
+        requested_weights = contact.a.face_weights[index], contact.b.face_weights[index]
+        kappa = requested_weights[0] * share[0], requested_weights[1] * share[1]
         free = contact.a.free_faces[index] * share[0], contact.b.free_faces[index] * share[1]
         together = _nearness(contact, faces)
         requested = kappa[0] + together * kappa[1], kappa[1] + together * kappa[0]
         by = 1.0 / max(requested[0], 1.0), 1.0 / max(requested[1], 1.0)
         corner = [corner_weights(body.corner_angles[index]) for body in (contact.a, contact.b)]
-        weights = [by[k] * asked[k] * (1.0 + IN_SPACE * corner[k][0]) for k in (0, 1)]
+        weights = [by[k] * requested_weights[k] * (1.0 + IN_SPACE * corner[k][0]) for k in (0, 1)]
         # The exponent is that of plane strain.
         images = [by[k] * kappa[k] * (1.0 + corner[k][0]) for k in (0, 1)]
         extra = [free[k] * (1.0 + corner[k][1]) for k in (0, 1)]
         if together == 1.0:
             place = 0.5 * (faces[0] + faces[1])
-            found.append(End(place, side, (weights[0], weights[1]), requested[0], sum(images), sum(extra)))
+            candidates.append(End(place, side, (weights[0], weights[1]), requested[0], sum(images), sum(extra)))
         else:
-            found.append(End(faces[0], side, (weights[0], 0.0), requested[0], images[0], extra[0]))
-            found.append(End(faces[1], side, (0.0, weights[1]), requested[1], images[1], extra[1]))
-    return tuple(end for end in found if end.image_weight > 0.0)
+            candidates.append(End(faces[0], side, (weights[0], 0.0), requested[0], images[0], extra[0]))
+            candidates.append(End(faces[1], side, (0.0, weights[1]), requested[1], images[1], extra[1]))
+    return tuple(end for end in candidates if end.image_weight > 0.0)
 
 
 def _nearness(contact: Contact, faces: tuple[float, float]) -> float:

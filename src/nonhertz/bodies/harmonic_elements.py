@@ -159,7 +159,7 @@ class HarmonicElements:
         """Borders of the elements along the axis [radii], shape (elements + 1,)."""
         half = borders_towards_end(self.outline.half_length, self._finest, _GROWTH, min(_LARGEST_ALONG, self.longest))
         if self.outline.symmetric:
-            return with_kinks(half, tuple(each for each in self.outline.kinks if each > 0.0), self._finest)
+            return with_kinks(half, tuple(kink for kink in self.outline.kinks if kink > 0.0), self._finest)
         return with_kinks(np.concatenate([-half[:0:-1], half]), self.outline.kinks, self._finest)
 
     @cached_property
@@ -214,10 +214,10 @@ def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:
     e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
     half = 0.5 * np.diff(borders)[e]
     values, slopes = nodal_polynomials((places - borders[e]) / half - 1.0)
-    found = np.zeros((2, places.size, DEGREE * (borders.size - 1) + 1))
+    matrices = np.zeros((2, places.size, DEGREE * (borders.size - 1) + 1))
     rows, columns = np.arange(places.size)[:, None], e[:, None] * DEGREE + np.arange(_NODES)
-    found[0, rows, columns], found[1, rows, columns] = values, slopes / half[:, None]
-    return found[0], found[1]
+    matrices[0, rows, columns], matrices[1, rows, columns] = values, slopes / half[:, None]
+    return matrices[0], matrices[1]
 
 
 def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
@@ -230,9 +230,9 @@ def borders_towards_end(length: float, finest: float, growth: float, largest: fl
     density = 1.0 / np.minimum(finest + growth * distance, largest)
     elements = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(distance) * (density[1:] + density[:-1]))])
     count = max(2, math.ceil(elements[-1]))
-    found: Array = length - np.interp(elements[-1] * np.linspace(1.0, 0.0, count + 1), elements, distance)
-    found[0], found[-1] = 0.0, length
-    return found
+    borders: Array = length - np.interp(elements[-1] * np.linspace(1.0, 0.0, count + 1), elements, distance)
+    borders[0], borders[-1] = 0.0, length
+    return borders
 
 
 def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:
@@ -246,7 +246,7 @@ def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Arr
     places = np.array([borders[0], *kinks, borders[-1]])
     gaps = np.diff(places)
     finest = np.minimum(np.minimum(gaps[:-1], gaps[1:]), smallest)
-    found = [places[:1]]
+    pieces = [places[:1]]
     for low, high in itertools.pairwise(places.tolist()):
         # Distances down to where elements no longer shrink.
         near = np.geomspace(min(0.1 * np.min(finest) / (high - low), 0.1), 0.5, _FINE)
@@ -257,5 +257,5 @@ def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Arr
         allowed = np.min(finest + (_GROWN - 1.0) * np.abs(middle[:, None] - places[1:-1]), axis=1)
         elements = np.concatenate([[0.0], np.cumsum(np.diff(fine) / np.minimum(np.diff(borders)[at], allowed))])
         count = max(1, round(elements[-1]))
-        found.append(np.interp(np.arange(1, count + 1) * elements[-1] / count, elements, fine))
-    return np.concatenate(found)
+        pieces.append(np.interp(np.arange(1, count + 1) * elements[-1] / count, elements, fine))
+    return np.concatenate(pieces)

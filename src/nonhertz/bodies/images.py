@@ -68,7 +68,7 @@ def rows(terms: dict[tuple[float, float], float]) -> Array:
 def chains(body: Body, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
     """Return the weights of all images, by the sign and the offset [mm] of their place: sign * y + offset."""
     count = SEPARATE_LINKS if body.images == SERIES else 2 * int(body.images) - 1
-    found: dict[tuple[float, float], float] = {}
+    images: dict[tuple[float, float], float] = {}
     for first in (0, 1):
         sign, offset, weight = 1.0, 0.0, share
         for link in range(count):
@@ -78,8 +78,8 @@ def chains(body: Body, weights: tuple[float, float], share: float) -> dict[tuple
                 break
             sign, offset = -sign, 2.0 * body.faces[at] - offset
             # The two chains share no place, but rounding may give two images the same key.
-            found[sign, offset] = found.get((sign, offset), 0.0) + weight
-    return found
+            images[sign, offset] = images.get((sign, offset), 0.0) + weight
+    return images
 
 
 @dataclass(frozen=True)

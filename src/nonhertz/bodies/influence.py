@@ -73,27 +73,27 @@ class Influence:
         """Return the displacement of the references under ``y`` per unit of K q, shape (places, strips)."""
         if not self.references:
             return np.zeros((y.size, edges.size - 1))
-        first, *others = (each.displacement(y, edges) for each in self.references)
+        first, *others = (reference.displacement(y, edges) for reference in self.references)
         return sum(others, first)
 
     def by_width(self, y: Array, ratio: float) -> Array:
         """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
-        rollers = (each for each in self.references if isinstance(each, AxisOfRoller))
-        return sum((each.by_width(y, ratio) for each in rollers), np.zeros((4, y.size)))
+        rollers = (reference for reference in self.references if isinstance(reference, AxisOfRoller))
+        return sum((reference.by_width(y, ratio) for reference in rollers), np.zeros((4, y.size)))
 
 
 def influence_of(contact: Contact, shape: Shape) -> Influence:
     """Return how strips between two bodies act, with their side faces and depths."""
-    found = ends(contact)
+    ends_of_contact = ends(contact)
     terms, references, faces = {DIRECT: 1.0}, [], []
     for which in (0, 1):
-        images, reference, free = _of_body(contact, shape, found, which)
+        images, reference, free = _of_body(contact, shape, ends_of_contact, which)
         for place, weight in images.places.items():
             terms[place] = terms.get(place, 0.0) + weight
         if reference is not None:
             references.append(reference)
         faces += free
-    return Influence(rows(terms), tuple(references), found, tuple(faces))
+    return Influence(rows(terms), tuple(references), ends_of_contact, tuple(faces))
 
 
 def influence_within(contact: Contact, shape: Shape, which: int) -> Influence:
@@ -101,16 +101,16 @@ def influence_within(contact: Contact, shape: Shape, which: int) -> Influence:
 
     Shares are those in the compliance of the contact, that of the load itself included.
     """
-    found = ends(contact)
-    images, reference, free = _of_body(contact, shape, found, which)
-    return Influence(images.with_direct(), () if reference is None else (reference,), found, tuple(free))
+    ends_of_contact = ends(contact)
+    images, reference, free = _of_body(contact, shape, ends_of_contact, which)
+    return Influence(images.with_direct(), () if reference is None else (reference,), ends_of_contact, tuple(free))
 
 
 def _of_body(
-    contact: Contact, shape: Shape, found: tuple[End, ...], which: int
+    contact: Contact, shape: Shape, ends_of_contact: tuple[End, ...], which: int
 ) -> tuple[Images, Reference | None, list[FreeSide]]:
     body, share = (contact.a, contact.b)[which], shares(contact)[which]
-    weights = {end.side: end.weights[which] for end in found if end.weights[which] > 0.0}
+    weights = {end.side: end.weights[which] for end in ends_of_contact if end.weights[which] > 0.0}
     images = Images.of(body, (weights.get(-1, 0.0), weights.get(1, 0.0)), share)
     free = [
         FreeSide(y, side, share * (1.0 + IN_SPACE * corner_weights(angle)[1]), body.material.poisson)

@@ -84,8 +84,8 @@ class FreeFace:
         direction = np.asarray(((u - v) / (u + v)) ** 2)
         degree = len(self.weights) - 1
         basis = chebyshev.chebvander(2.0 * direction - 1.0, degree).reshape(*direction.shape, degree + 1)
-        found: Array = np.tensordot(basis, self.weights, 1)
-        return found
+        factors: Array = np.tensordot(basis, self.weights, 1)
+        return factors
 
     def moments(self, ratio: Array, powers: int) -> Array:
         """Return the integrals of e s^2k ds / pi, k = 0 to ``powers``, for u = s and v = s times ``ratio``.
@@ -98,12 +98,12 @@ class FreeFace:
         """
         distance = np.multiply.outer(1.0 + ratio, self.distances)
         weights = self.towards(np.ones_like(ratio), ratio)
-        found = np.empty((*ratio.shape, powers + 1))
+        integrals = np.empty((*ratio.shape, powers + 1))
         for k in range(powers + 1):
             of_images, of_planes = 4.0**k * math.gamma(k + 0.5) ** 2, math.gamma(2 * k + 1)
             terms = (of_images * weights[..., 0, :] + of_planes * weights[..., 1, :]) / distance ** (2 * k + 1)
-            found[..., k] = np.sum(terms, axis=-1) / math.pi
-        return found
+            integrals[..., k] = np.sum(terms, axis=-1) / math.pi
+        return integrals
 
     @cached_property
     def over_image(self) -> Array:
@@ -127,8 +127,8 @@ def edge_kernel(u: Array, v: Array) -> Array:
     face = free_face(_ANY_POISSON)
     weights = face.towards(u, v)
     of_direction = np.sum(weights[..., 1, :] - 2.0 * weights[..., 0, :] * np.log(face.distances), axis=-1)
-    found: Array = of_direction - EDGE_SLOPE * np.log(u + v)
-    return found
+    kernel: Array = of_direction - EDGE_SLOPE * np.log(u + v)
+    return kernel
 
 
 @lru_cache(MOST)
@@ -144,7 +144,9 @@ def _weights(poisson: float) -> Array:
     nodes = chebyshev.chebpts1(_DIRECTIONS)
     size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
     aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
-    fitted = np.array([_fitted(size, solved.at(size * (1.0 + each), size * (1.0 - each))) for each in aside])
+    fitted = np.array(
+        [_fitted(size, solved.at(size * (1.0 + fraction), size * (1.0 - fraction))) for fraction in aside]
+    )
     to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, _DIRECTIONS - 1))
     return np.tensordot(to_chebyshev, fitted, 1)
 
@@ -156,8 +158,8 @@ def _fitted(size: Array, wanted: Array) -> Array:
     distance = np.multiply.outer(2.0 * size, _DISTANCES)
     basis = np.hstack([2.0 * special.k0(distance), np.exp(-distance)])
     damped = np.vstack([basis, _DAMPING * np.eye(basis.shape[1])])
-    found: Array = np.linalg.lstsq(damped, np.concatenate([wanted, np.zeros(basis.shape[1])]), rcond=None)[0]
-    return found.reshape(2, -1)
+    weights: Array = np.linalg.lstsq(damped, np.concatenate([wanted, np.zeros(basis.shape[1])]), rcond=None)[0]
+    return weights.reshape(2, -1)
 
 
 @dataclass(frozen=True)
@@ -181,9 +183,9 @@ class EdgeSolution:
         """Return e at places within the panels."""
         panels, nodes = self.panels.size - 1, NODES
         blocks = self.values.reshape(panels, nodes, panels, nodes)
-        (row, left), (column, right) = (interpolation(self.panels, each) for each in (u, v))
-        found: Array = np.einsum("ki,kij,kj->k", left, blocks[row, :, column, :], right)
-        return found
+        (row, of_u), (column, right) = (interpolation(self.panels, distance) for distance in (u, v))
+        values: Array = np.einsum("ki,kij,kj->k", of_u, blocks[row, :, column, :], right)
+        return values
 
 
 def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
@@ -201,10 +203,10 @@ def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
 
 def _panels() -> Array:
     """Return panels that double in size away from the edge, up to a few wave lengths."""
-    found = [0.0, _SMALLEST]
-    while found[-1] < _LARGEST:
-        found.append(found[-1] + (found[-1] if found[-1] < 1.0 else min(2.0, max(1.0, 0.5 * found[-1]))))
-    return np.array(found)
+    borders = [0.0, _SMALLEST]
+    while borders[-1] < _LARGEST:
+        borders.append(borders[-1] + (borders[-1] if borders[-1] < 1.0 else min(2.0, max(1.0, 0.5 * borders[-1]))))
+    return np.array(borders)
 
 
 def nodes_on(panels: Array) -> tuple[Array, Array]:
@@ -231,8 +233,8 @@ def to_legendre() -> Array:
 def _brought(poisson: float) -> Array:
     """Return the kernel a between all nodes: places in rows, loads in columns."""
     of_all, of_compressible = _bessel_functions()
-    found: Array = 2.0 / math.pi * (of_all - (1.0 - 2.0 * poisson) * of_compressible)
-    return found
+    matrix: Array = 2.0 / math.pi * (of_all - (1.0 - 2.0 * poisson) * of_compressible)
+    return matrix
 
 
 @stored(__name__)
@@ -299,10 +301,10 @@ def _raised() -> Array:
             middle = min(max(place, low), high)
             points = np.concatenate([middle - (middle - low) * toward, middle + (high - middle) * toward])
             parts = np.concatenate([(middle - low) * shares, (high - middle) * shares])
-            there = parts > 0.0
-            local = (2.0 * points[there] - low - high) / (high - low)
-            distance = np.maximum(np.abs(points[there] - place), np.finfo(float).tiny)
-            rule = (parts[there] * special.k0(distance)) @ legendre.legvander(local, NODES - 1) @ to_legendre()
+            inside = parts > 0.0
+            local = (2.0 * points[inside] - low - high) / (high - low)
+            distance = np.maximum(np.abs(points[inside] - place), np.finfo(float).tiny)
+            rule = (parts[inside] * special.k0(distance)) @ legendre.legvander(local, NODES - 1) @ to_legendre()
             direct[i, panel * NODES : (panel + 1) * NODES] = rule
     raised: Array = direct + special.k0(y[:, None] + y) * weight
     return raised

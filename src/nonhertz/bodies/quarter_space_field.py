@@ -106,8 +106,8 @@ class QuarterSpaceField:
         knots, splines = self._by_distance
         of = splines[:, :, components]
         of_waves = coefficients @ of.reshape(-1, of.shape[-1]).T
-        found = core.between_distances(knots, np.log(k), log_r, of_waves)
-        return found.reshape(k.size, log_r.size, DIRECTIONS, -1)
+        field = core.between_distances(knots, np.log(k), log_r, of_waves)
+        return field.reshape(k.size, log_r.size, DIRECTIONS, -1)
 
     @cached_property
     def _by_distance(self) -> tuple[Array, Array]:
@@ -123,13 +123,13 @@ class QuarterSpaceField:
         from scipy.interpolate import CubicSpline
 
         depth, _ = nodes_on(self.panels)
-        found = []
+        changes = []
         for distance in _APART:
             by_distance = between_distances(np.log(np.hypot(distance, depth)))
             by_angle = between_angles(np.arctan2(depth, distance))
             normal = np.einsum("nj,nd,jdr->nr", by_distance, by_angle, self.places[:, :, 1])
-            found.append(normal.T @ self.residuals)
-        change: Callable[[Array], Array] = CubicSpline(np.log(_APART), np.array(found))
+            changes.append(normal.T @ self.residuals)
+        change: Callable[[Array], Array] = CubicSpline(np.log(_APART), np.array(changes))
         return change
 
     def between_faces(self, distance: Array, one: Array, other: Array, images: int) -> tuple[Array, Array]:
@@ -170,15 +170,15 @@ def between_distances(logarithm: Array) -> Array:
     from scipy.interpolate import CubicSpline
 
     known = np.log(DISTANCES)
-    found: Array = CubicSpline(known, np.eye(known.size))(np.clip(logarithm, known[0], known[-1]))
-    found[logarithm > known[-1]] = 0.0
-    return found
+    matrix: Array = CubicSpline(known, np.eye(known.size))(np.clip(logarithm, known[0], known[-1]))
+    matrix[logarithm > known[-1]] = 0.0
+    return matrix
 
 
 def between_angles(angle: Array) -> Array:
     """Return the matrix from values at `ANGLES` to values between them."""
-    between, given = (chebyshev.chebvander(4.0 / np.pi * each - 1.0, DIRECTIONS - 1) for each in (angle, ANGLES))
-    return np.asarray(between @ np.linalg.inv(given))
+    between, at_nodes = (chebyshev.chebvander(4.0 / np.pi * angles - 1.0, DIRECTIONS - 1) for angles in (angle, ANGLES))
+    return np.asarray(between @ np.linalg.inv(at_nodes))
 
 
 @lru_cache(MOST)
@@ -205,7 +205,7 @@ def _table() -> Array:
             along, below = distance * np.cos(angle), distance * np.sin(angle)
             by_surface = _rule(panels, y, weight, along, below)[:, _OF_SURFACE]
             rows.append((by_surface, _rule(panels, y, weight, below, along)[:, _OF_FACE]))
-    surface, face = (np.concatenate(each, axis=1) for each in zip(*rows, strict=True))
+    surface, face = (np.concatenate(parts, axis=1) for parts in zip(*rows, strict=True))
     # Columns weighted for loads that are integrals over the nodes' parts of the surface.
     scale = np.sqrt(weight)
     of_places, of_residuals, to_residual = [], [], []
@@ -217,22 +217,25 @@ def _table() -> Array:
         field = (surface[0] + poisson * surface[1]) @ of_surface - (face[0] + poisson * face[1]) @ of_face
         of_residuals.append(field)
         to_residual.append(operator / weight)
-        left, values = _low_rank(field @ to_residual[-1] * scale)
-        of_places.append(left * values)
-    left, values = _low_rank(np.concatenate(of_places, axis=1))
+        basis, values = _low_rank(field @ to_residual[-1] * scale)
+        of_places.append(basis * values)
+    basis, values = _low_rank(np.concatenate(of_places, axis=1))
     loads = [
-        np.stack([left.T @ field @ to, left.T @ field]) for field, to in zip(of_residuals, to_residual, strict=True)
+        np.stack([basis.T @ field @ to, basis.T @ field]) for field, to in zip(of_residuals, to_residual, strict=True)
     ]
     return np.concatenate(
-        [left, np.array(loads).reshape(POISSONS.size, 2, left.shape[1], -1).swapaxes(2, 3).reshape(-1, left.shape[1])]
+        [
+            basis,
+            np.array(loads).reshape(POISSONS.size, 2, basis.shape[1], -1).swapaxes(2, 3).reshape(-1, basis.shape[1]),
+        ]
     )
 
 
 def _low_rank(matrix: Array) -> tuple[Array, Array]:
     """Return the orthogonal columns that nearly span a matrix, and their singular values."""
-    left, values, _ = np.linalg.svd(matrix, full_matrices=False)
-    kept = values > _RANK_ERROR * values[0]
-    return left[:, kept], values[kept]
+    vectors, values, _ = np.linalg.svd(matrix, full_matrices=False)
+    significant = values > _RANK_ERROR * values[0]
+    return vectors[:, significant], values[significant]
 
 
 def _rule(panels: Array, y: Array, weight: Array, s: float, d: float) -> Array:
@@ -249,9 +252,9 @@ def _rule(panels: Array, y: Array, weight: Array, s: float, d: float) -> Array:
     panel, values = interpolation(panels, points.ravel())
     direct = _kernel(s - points.ravel(), d).reshape(2, COMPONENTS, -1, NODES) * (half * share)
     parts = np.einsum("ncpi,pij->pncj", direct, values.reshape(*points.shape, NODES))
-    found = np.zeros((panels.size - 1, 2, COMPONENTS, NODES))
-    np.add.at(found, panel[::NODES], parts)
-    return np.moveaxis(found, 0, 2).reshape(2, COMPONENTS, -1) + _kernel(s + y, d) * weight
+    rule = np.zeros((panels.size - 1, 2, COMPONENTS, NODES))
+    np.add.at(rule, panel[::NODES], parts)
+    return np.moveaxis(rule, 0, 2).reshape(2, COMPONENTS, -1) + _kernel(s + y, d) * weight
 
 
 def _kernel(s: Array, d: float) -> Array:

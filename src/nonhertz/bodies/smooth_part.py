@@ -46,8 +46,8 @@ _gauss = cache(legendre.leggauss)
 def _step(x: Array) -> Array:
     """Return a function that rises from 0 to 1 between 0 and 1, with two continuous derivatives."""
     x = np.clip(x, 0.0, 1.0)
-    found: Array = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
-    return found
+    step: Array = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+    return step
 
 
 def terms_along(outline: Outline) -> float:
@@ -69,17 +69,17 @@ def _sampled(most: float) -> dict[int, float]:
     """
     n: Array = np.arange(2.0, _LAST_MODE, 2.0)
     counts = _step((1.25 * most - n) / (0.5 * most))
-    found = np.zeros(_SAMPLED.size)
+    weights = np.zeros(_SAMPLED.size)
     for k, share in zip(n[counts > 0.0], counts[counts > 0.0], strict=True):
         first = max(1, int(np.searchsorted(_SAMPLED, k)) - _POINTS + 1)
         points = _SAMPLED[first : first + _POINTS]
         for at, one in enumerate(points, start=first):
             weight = math.prod((1.0 / k - 1.0 / other) / (1.0 / one - 1.0 / other) for other in points if other != one)
-            found[at] += share * weight * (one / k) ** 3
+            weights[at] += share * weight * (one / k) ** 3
     changing = np.interp(_SAMPLED, n, counts * (1.0 - counts))
-    found += changing / changing.sum() * float(np.sum((1.0 - counts) / n**3)) * _SAMPLED**3.0
-    found[0] = 0.5
-    return {int(k): 2.0 / math.pi * weight for k, weight in zip(_SAMPLED, found, strict=True) if weight != 0.0}
+    weights += changing / changing.sum() * float(np.sum((1.0 - counts) / n**3)) * _SAMPLED**3.0
+    weights[0] = 0.5
+    return {int(k): 2.0 / math.pi * weight for k, weight in zip(_SAMPLED, weights, strict=True) if weight != 0.0}
 
 
 def curved_factors(poisson: float) -> tuple[float, float, float]:
@@ -227,20 +227,20 @@ def sum_over_images(distance: Array) -> Array:
     from scipy import special
 
     x = _SPACING * distance
-    found, near = np.empty_like(x), x <= _BY_SERIES
+    total, near = np.empty_like(x), x <= _BY_SERIES
     small, large = x[near], x[~near]
     series, factor = np.zeros_like(small), 1.0
     for k, zeta in enumerate(_ZETA, start=1):
         factor *= -(2 * k - 1) / (2 * k)
         series += factor * zeta * small ** (2 * k) / (2.0 * math.pi) ** (2 * k + 1)
-    found[near] = np.euler_gamma + np.log(small / (4.0 * math.pi)) + 2.0 * math.pi * series
-    found[~near] = sum((2.0 * special.k0(j * large) for j in range(1, _REFLECTIONS)), -math.pi / large)
-    return _SPACING / math.pi * found
+    total[near] = np.euler_gamma + np.log(small / (4.0 * math.pi)) + 2.0 * math.pi * series
+    total[~near] = sum((2.0 * special.k0(j * large) for j in range(1, _REFLECTIONS)), -math.pi / large)
+    return _SPACING / math.pi * total
 
 
 def sum_over_planes(distance: Array) -> Array:
     """Return the same of exp(-n s)."""
     x = _SPACING * distance
     at_least = np.clip(x, 1e-3, 700.0)
-    found: Array = np.where(x < 1e-2, -0.5 + x / 12.0 - x**3 / 720.0, 1.0 / np.expm1(at_least) - 1.0 / at_least)
-    return _SPACING / math.pi * found
+    total: Array = np.where(x < 1e-2, -0.5 + x / 12.0 - x**3 / 720.0, 1.0 / np.expm1(at_least) - 1.0 / at_least)
+    return _SPACING / math.pi * total

@@ -37,7 +37,7 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
     def decorate(make: Callable[..., Array]) -> Callable[..., Array]:
         @lru_cache(MOST)
         @wraps(make)
-        def found(*arguments: Hashable) -> Array:
+        def stored_or_made(*arguments: Hashable) -> Array:
             key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()
             # Of thousands of shapes no more than 4,096 are kept on disk.
             name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:3]}"
@@ -52,7 +52,7 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
             array.flags.writeable = False
             return array
 
-        return found
+        return stored_or_made
 
     return decorate
 
@@ -60,8 +60,8 @@ def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Arra
 def _texts(modules: tuple[str, ...]) -> str:
     """Return a digest of the sources of modules."""
     digest = hashlib.sha256()
-    for each in modules:
-        path = sys.modules[each].__file__
+    for name in modules:
+        path = sys.modules[name].__file__
         assert path is not None
         digest.update(hashlib.sha256(Path(path).read_bytes()).digest())
     return digest.hexdigest()

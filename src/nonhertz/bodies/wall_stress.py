@@ -68,8 +68,8 @@ class WallModes:
     @property
     def waves(self) -> Array:
         """Numbers of waves around."""
-        found: Array = np.arange(0.0, 2.0 * len(self.factors), 2.0)
-        return found
+        counts: Array = np.arange(0.0, 2.0 * len(self.factors), 2.0)
+        return counts
 
     def stress(self, loads: Array) -> Array:
         """Return Chebyshev coefficients of the stress of each mode, shape (waves, 6, through, along).
@@ -79,8 +79,8 @@ class WallModes:
         loads : ndarray, shape (waves, terms)
             Integrals of the load of each mode times the polynomials.
         """
-        found: Array = np.einsum("nrysm,nm->nsry", self.factors, loads)
-        return found
+        coefficients: Array = np.einsum("nrysm,nm->nsry", self.factors, loads)
+        return coefficients
 
     def of_field(self, field: Callable[[Array], Array]) -> Array:
         """Return the same coefficients of a field and its like from the opposite side.
@@ -93,7 +93,7 @@ class WallModes:
         waves, through, along = np.rint(self.waves).astype(int), *self.factors.shape[1:3]
         shares, places = _circles(through, along, self.outline.half_length)
         outer, inner = self.outline.radii(places)
-        found = np.empty((waves.size, through, along, 6))
+        samples = np.empty((waves.size, through, along, 6))
         for i, share in enumerate(shares):
             for j, y in enumerate(places):
                 radius = inner[j] + share * (outer[j] - inner[j])
@@ -101,9 +101,9 @@ class WallModes:
                 x, z = radius * np.sin(theta), outer[j] - radius * np.cos(theta)
                 near = np.column_stack([x, np.full(x.size, y), z])
                 far = np.column_stack([-x, near[:, 1], 2.0 * outer[j] - z])
-                found[:, i, j] = np.einsum("snt,ts->ns", around, _polar(field(near) + OPPOSITE * field(far), theta))
+                samples[:, i, j] = np.einsum("snt,ts->ns", around, _polar(field(near) + OPPOSITE * field(far), theta))
         radial, axial = _to_chebyshev(through), _to_chebyshev(along)
-        coefficients: Array = np.einsum("ir,jy,nrys->nsij", radial, axial, found, optimize=True)
+        coefficients: Array = np.einsum("ir,jy,nrys->nsij", radial, axial, samples, optimize=True)
         return coefficients
 
     def polynomials(self, z: Array) -> Array:
@@ -126,14 +126,14 @@ def bending_of(body: Body) -> tuple[WallModes, float] | None:
 
 def _polynomials(half_length: float, count: int, z: Array) -> Array:
     norms = np.sqrt((2.0 * np.arange(count) + 1.0) / (2.0 * half_length))
-    found: Array = legendre.legvander(z / half_length, count - 1) * norms
-    return found
+    values: Array = legendre.legvander(z / half_length, count - 1) * norms
+    return values
 
 
 def _chebyshev_points(count: int) -> Array:
     """Return the extrema of a Chebyshev polynomial and both ends, from -1 to 1."""
-    found: Array = -np.cos(np.pi * np.arange(count) / (count - 1))
-    return found
+    points: Array = -np.cos(np.pi * np.arange(count) / (count - 1))
+    return points
 
 
 def _to_chebyshev(count: int) -> Array:
@@ -160,15 +160,15 @@ def _factors(outline: Outline, poisson: float) -> Array:
     lower = places.size // 2 if outline.symmetric else 0  # those that mirror the others
     elements = HarmonicElements(outline, poisson, max(most, _FINE))
     forces = elements.forces(lambda z: _polynomials(half_length, count, z))
-    found = np.stack(
+    stresses = np.stack(
         [elements.stress(n, elements.displaced(n, forces), shares, places[lower:]) for n in waves.tolist()]
     )
-    found *= np.where(waves > 0, 2.0, 1.0)[:, None, None, None, None] / np.pi
-    found -= _of_half_spaces(outline, poisson, waves, shares, places[lower:], count)
+    stresses *= np.where(waves > 0, 2.0, 1.0)[:, None, None, None, None] / np.pi
+    stresses -= _of_half_spaces(outline, poisson, waves, shares, places[lower:], count)
     turned = np.where(np.arange(count) % 2 == 1, -1.0, 1.0) * _ODD[:, None]
-    found = np.concatenate([found[:, :, : -lower - 1 : -1] * turned, found], axis=2)
+    stresses = np.concatenate([stresses[:, :, : -lower - 1 : -1] * turned, stresses], axis=2)
     radial, axial = _to_chebyshev(through), _to_chebyshev(along)
-    factors: Array = np.einsum("ir,jy,nrysm->nijsm", radial, axial, found, optimize=True)
+    factors: Array = np.einsum("ir,jy,nrysm->nijsm", radial, axial, stresses, optimize=True)
     return factors
 
 
@@ -178,7 +178,7 @@ def _of_half_spaces(
     """Return the modes on circles of both half-spaces and their images, shape (waves, shares, places, 6, terms)."""
     half_length = outline.half_length
     outer, inner = outline.radii(places)
-    found = np.empty((waves.size, shares.size, places.size, 6, count))
+    stresses = np.empty((waves.size, shares.size, places.size, 6, count))
     for i, share in enumerate(shares):
         last = None
         for j, y in enumerate(places):
@@ -190,8 +190,8 @@ def _of_half_spaces(
             load = _polynomials(half_length, count, mirrored) * weight[:, None]
             distance = y - sources
             seen = table(np.arcsinh(np.abs(distance) / scale)) * np.where(distance[:, None, None] < 0.0, _ODD, 1.0)
-            found[:, i, j] = np.tensordot(seen, load, (0, 0))
-    return found
+            stresses[:, i, j] = np.tensordot(seen, load, (0, 0))
+    return stresses
 
 
 def _around(y: float, scale: float, half_length: float, count: int) -> tuple[Array, Array]:
@@ -257,11 +257,11 @@ def _point_load(x: Array, y: Array, z: Array, poisson: float) -> Array:
     # (1 - z / R) / r^2 and (2 g - z / R^3) / r^2, r^2 = x^2 + y^2, as they are below the load, too.
     g, w = 1.0 / (R * (R + z)), (2.0 * R + z) / (R**3 * (R + z) ** 2)
     fifth = 3.0 * z / R**5
-    found: Array = np.stack([
+    stress: Array = np.stack([
         lateral * (g - w * y * y) - fifth * x * x, lateral * (g - w * x * x) - fifth * y * y, -fifth * z * z,
         -fifth * y * z, -fifth * x * z, (lateral * w - fifth) * x * y,
     ], axis=-1) / (2.0 * np.pi)  # fmt: skip
-    return found
+    return stress
 
 
 def _polar(stress: Array, theta: Array) -> Array:
@@ -269,8 +269,8 @@ def _polar(stress: Array, theta: Array) -> Array:
     sine, cosine = np.sin(theta), np.cos(theta)
     xx, yy, zz, yz, xz, xy = np.moveaxis(stress, -1, 0)
     both = 2.0 * xz * sine * cosine
-    found: Array = np.stack([
+    polar: Array = np.stack([
         xx * sine**2 - both + zz * cosine**2, xx * cosine**2 + both + zz * sine**2, yy,
         (xx - zz) * sine * cosine + xz * (sine**2 - cosine**2), xy * sine - yz * cosine, xy * cosine + yz * sine,
     ], axis=-1)  # fmt: skip
-    return found
+    return polar

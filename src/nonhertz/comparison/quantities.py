@@ -10,7 +10,7 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.comparison.value import Array, ComparedQuantity, Station
-from nonhertz.findings import Finding, finding, said
+from nonhertz.findings import Finding, finding
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import away_from_ends, ends_in_words
 from nonhertz.result.maximum import counted, singular_y
@@ -68,7 +68,7 @@ def _without_limit(semi: Solution) -> Finding | None:
     if semi.singular_ends:
         away = "a half-width and more from {ends}, where it has no limit"
         return finding("away-from-ends", away, ends=ends_in_words(semi.singular_ends))
-    return said("at a corner of the profile, where it has no limit") if semi.peaks_at_corner else None
+    return Finding.from_text("at a corner of the profile, where it has no limit") if semi.peaks_at_corner else None
 
 
 def centre(semi: Solution) -> float:

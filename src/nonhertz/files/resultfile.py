@@ -19,7 +19,7 @@ from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
 from nonhertz.files.documents import meant_as
 from nonhertz.files.folder import write_files
-from nonhertz.findings import said
+from nonhertz.findings import Finding
 from nonhertz.inputs.assumed import restored
 from nonhertz.inputs.files import content
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
@@ -220,7 +220,7 @@ def _solution(content: dict[str, Any], case: Case) -> Solution:
             singular_ends=tuple(SingularEnd(end["y"], EdgeKind[_member(end["kind"])]) for end in ends),
             peaks_at_corner=bool(content["peaks_at_corner"]),
             error_estimate=ErrorEstimate(**{name: _number(value) for name, value in content["error_estimate"].items()}),
-            findings=tuple(starmap(said, zip_longest(map(str, content["warnings"]), kinds, fillvalue=""))),
+            findings=tuple(starmap(Finding.from_text, zip_longest(map(str, content["warnings"]), kinds, fillvalue=""))),
         ),
         **numbers | arrays,
     )
@@ -251,7 +251,8 @@ def _at_limits(tolerances: dict[str, Any]) -> list[Mapping[str, float]]:
 
 def _edge(end: dict[str, Any]) -> EdgePressure:
     numbers = {name: value for name, value in end.items() if name not in {"kind", "converges"}}
-    return EdgePressure(kind=EdgeKind[_member(end["kind"])], **numbers | {"convention": said(str(end["convention"]))})
+    numbers["convention"] = Finding.from_text(str(end["convention"]))
+    return EdgePressure(kind=EdgeKind[_member(end["kind"])], **numbers)
 
 
 def _member(label: str) -> str:

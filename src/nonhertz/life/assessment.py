@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import digits, mm
 from nonhertz.errors import InputError
-from nonhertz.findings import Finding, HasFindings, finding, said
+from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import listed, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
@@ -198,14 +198,14 @@ def assess(
     ring, why = raceway(spectrum[0][0].contact, contact_angle=contact_angle)
     bearing = _Bearing(ring, why, _checked_rollers(rollers, ring), body)
     seen: list[Exposure] = []
-    if any(isinstance(each, VolumeModel) for each in chosen):
-        seen = [exposure(each, body, **options) for each, _ in spectrum]
+    if any(isinstance(member, VolumeModel) for member in chosen):
+        seen = [exposure(solution, body, **options) for solution, _ in spectrum]
     shares = np.array([share for _, share in spectrum])
     return tuple(
-        _by_volume(each, spectrum, seen, shares, bearing)
-        if isinstance(each, VolumeModel)
-        else _by_laminae(each, spectrum, shares, bearing)
-        for each in chosen
+        _by_volume(member, spectrum, seen, shares, bearing)
+        if isinstance(member, VolumeModel)
+        else _by_laminae(member, spectrum, shares, bearing)
+        for member in chosen
     )
 
 
@@ -232,10 +232,10 @@ def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
     several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
     remedy = f"give models or their names: {', '.join(MODELS)}"
     members = listed("models", several, "be a fatigue model or several", remedy)
-    chosen = [model(each) if isinstance(each, str) else each for each in members or MODELS]
-    for each in chosen:
-        if not isinstance(each, VolumeModel | LaminaModel):
-            raise InputError("models", each, "be a fatigue model or several", remedy)
+    chosen = [model(member) if isinstance(member, str) else member for member in members or MODELS]
+    for member in chosen:
+        if not isinstance(member, VolumeModel | LaminaModel):
+            raise InputError("models", member, "be a fatigue model or several", remedy)
     return chosen
 
 
@@ -248,58 +248,77 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
 
 def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, bearing: _Bearing) -> Life:
     ring, why, rollers, body = bearing
-    damages = np.array([each.damage(chosen) for each in seen])
-    ideal = [each.reference for each in seen]
-    references = np.array([math.nan if each is None else each.damage(chosen) for each in ideal])
-    damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
-    y, density = _density([each.y for each in seen], [each.density(chosen) for each in seen], damages, shares, chosen)
+    damages = np.array([exposed.damage(chosen) for exposed in seen])
+    ideal = [exposed.reference for exposed in seen]
+    references = np.array([math.nan if exposed is None else exposed.damage(chosen) for exposed in ideal])
+    damage, reference = (_together(values, shares, chosen.slope) for values in (damages, references))
+    y, density = _density(
+        [exposed.y for exposed in seen], [exposed.density(chosen) for exposed in seen], damages, shares, chosen
+    )
     length = float(np.ptp(spectrum[0][0].contact.land))
-    sharp = {end for each in seen for end in each.sharp}
-    absolute, unrated = None, said(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
+    sharp = {end for exposed in seen for end in exposed.sharp}
+    absolute, unrated = (
+        None,
+        Finding.from_text(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ()),
+    )
     if unrated is None and ring is not None and rollers is not None:
         # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
         of_loads = [
-            (ring.capacity(rollers) / each.load) ** 4 * ratio(*pair, chosen.slope)
-            for (each, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
+            (ring.capacity(rollers) / solution.load) ** 4 * ratio(*pair, chosen.slope)
+            for (solution, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
         ]
         absolute = miner(of_loads, shares.tolist())
-    below = dict.fromkeys(found for each, _ in spectrum for found in Inside.of(each, body).findings)
-    found = (*_findings(spectrum, sharp), *below)
-    return Life(chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), found)
+    below = dict.fromkeys(finding for solution, _ in spectrum for finding in Inside.of(solution, body).findings)
+    findings = (*_findings(spectrum, sharp), *below)
+    return Life(
+        chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), findings
+    )
 
 
 def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing: _Bearing) -> Life:
     ring, why, rollers, body = bearing
-    cut = [laminae_of(each, chosen) for each, _ in spectrum]
+    cut = [laminae_of(solution, chosen) for solution, _ in spectrum]
     edges = cut[0].edges
     # Without a ring the capacity depends on the length alone.
     capacity = ring.capacity(1) if ring is not None else float(edges[-1] - edges[0]) ** (7.0 / 9.0)
-    of_laminae = [each.damage(capacity) for each in cut]
-    damages = np.array([each.sum() for each in of_laminae])
-    references = np.array([(each.load / capacity) ** EXPONENT for each, _ in spectrum])
-    damage, reference = (_together(each, shares, chosen.slope) for each in (damages, references))
+    of_laminae = [laminae.damage(capacity) for laminae in cut]
+    damages = np.array([damage_of_each.sum() for damage_of_each in of_laminae])
+    references = np.array([(solution.load / capacity) ** EXPONENT for solution, _ in spectrum])
+    damage, reference = (_together(values, shares, chosen.slope) for values in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
     _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
-    sharp = {end for each in cut for end in each.sharp}
-    absolute, unrated = None, said(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ())
+    sharp = {end for laminae in cut for end in laminae.sharp}
+    absolute, unrated = (
+        None,
+        Finding.from_text(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ()),
+    )
     if unrated is None and rollers is not None:
         # Each roller passes once per revolution: the capacity falls as Z^(-1/4), and the life as 1 / Z.
         absolute = damage ** (-1.0 / chosen.slope) / rollers
-    found = _findings(spectrum, sharp)
+    findings = _findings(spectrum, sharp)
     return Life(
-        chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / chosen.laminae), found
+        chosen,
+        body,
+        damage,
+        reference,
+        absolute,
+        unrated,
+        ring,
+        y,
+        _over(density, reference / chosen.laminae),
+        findings,
     )
 
 
 def _findings(spectrum: Spectrum, sharp: set[float]) -> tuple[Finding, ...]:
     """Return what strains the solutions, without repeats, and what singular ends do to the damage."""
-    of_solutions = tuple(dict.fromkeys(found for each, _ in spectrum for found in each.findings))
+    of_solutions = tuple(dict.fromkeys(finding for solution, _ in spectrum for finding in solution.findings))
     return (*of_solutions, *_towards_ends(spectrum)) if sharp else of_solutions
 
 
 def _towards_ends(spectrum: Spectrum) -> Iterator[Finding]:
-    found = [(each, each.singular_ends) for each, _ in spectrum]
-    named = {end for _, ends in found for end in ends}
+    sharp = [(solution, solution.singular_ends) for solution, _ in spectrum]
+    named = {end for _, ends in sharp for end in ends}
     nearer = f"nearer to {'them' if len(named) > 1 else 'it'}"
     yield finding(
         "damage-at-ends",
@@ -308,11 +327,11 @@ def _towards_ends(spectrum: Spectrum) -> Iterator[Finding]:
         ends=ends_in_words(named),
         left_out=LEFT_OUT,
     )
-    if any(_is_coarse(each, end) for each, ends in found for end in ends):
+    if any(_is_coarse(solution, end) for solution, ends in sharp for end in ends):
         what = "a corner" if all(end.kind is EdgeKind.CORNER for end in named) else "a sharp end"
         words = f"The strips or cells at {what} are longer than what was left out: use finer ones."
         yield finding("coarse-at-ends", words)
-    if any(np.ptp(outermost(each)) < SHORT * each.max_half_width for each, _ in spectrum):
+    if any(np.ptp(outermost(solution)) < SHORT * solution.max_half_width for solution, _ in spectrum):
         words = (
             "The contact is shorter than {shortest:g} half-widths between its ends: hardly anything is left to count."
         )
@@ -335,15 +354,15 @@ def _why_unrated(
 ) -> Finding | None:
     """Return why a model gives no life in revolutions for a body, under loads that may reach sharp ends."""
     if chosen.name not in RATED:
-        return said(f"{chosen.name} has no capacity of its own")
+        return Finding.from_text(f"{chosen.name} has no capacity of its own")
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
-        return said("the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents")
+        return Finding.from_text("the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents")
     if ring is not None and ring.body != body:
-        return said(f"the capacity is that of the ring, body {ring.body}")
-    ends = {end for each, _ in sharp for end in each.singular_ends}
+        return Finding.from_text(f"the capacity is that of the ring, body {ring.body}")
+    ends = {end for solution, _ in sharp for end in solution.singular_ends}
     if rollers is not None and ends:
         return finding("damage-at-ends", "the damage grows without limit towards {ends}", ends=ends_in_words(ends))
-    return None if rollers is not None else said(_NO_ROLLERS)
+    return None if rollers is not None else Finding.from_text(_NO_ROLLERS)
 
 
 def _together(damages: Array, shares: Array, slope: float) -> float:

@@ -225,7 +225,7 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
     others: list[BodyName] = [name for name, body in bodies.items() if not isinstance(body, Roller)]
     if not others:
         return None, "neither of the bodies is a ring; give one of them kind = 'ring'"
-    name = rings[0] if len(rings) == 1 else max(others, key=lambda each: (diameters[each] < 0.0, abs(diameters[each])))
+    name = rings[0] if len(rings) == 1 else max(others, key=lambda ring: (diameters[ring] < 0.0, abs(diameters[ring])))
     roller = bodies["b" if name == "a" else "a"]
     return _raceway(name, diameters[name], roller, contact.land, contact_angle or 0.0)
 

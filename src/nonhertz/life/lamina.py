@@ -44,7 +44,7 @@ def slice_compliance(contact: Contact) -> float:
     """Return the sum of both compliances [1/MPa], each steel being that of the standard's constant."""
     low, high = STEEL_MODULUS
     materials = contact.a.material, contact.b.material
-    return sum(STEEL.compliance if low <= each.modulus <= high else each.compliance for each in materials)
+    return sum(STEEL.compliance if low <= material.modulus <= high else material.compliance for material in materials)
 
 
 def roller_stiffness(length: float, compliance: float = _OF_STEEL) -> float:
@@ -235,7 +235,7 @@ def _factors(solution: Solved, edges: Array, length: Array, load: Array, sharp: 
     for end in sharp:
         counted[np.abs(solution.y - end) < left_out] = 0.0
     suffered, borne, lost = (
-        _shares(edges, fine, each) for each in (counted * as_in_hertz**EXPONENT, counted * density, 1.0 - counted)
+        _shares(edges, fine, values) for values in (counted * as_in_hertz**EXPONENT, counted * density, 1.0 - counted)
     )
     length = length - lost
     mean = np.divide(suffered, length, out=np.zeros_like(load), where=length > 0.0) ** (1.0 / EXPONENT)
@@ -259,5 +259,5 @@ def _slices(solution: Solved, edges: Array) -> Array:
     high = (1.0 + 1e-9) * (solution.load / stiffness) ** (1.0 / STIFFENING)
     from scipy.optimize import brentq
 
-    found = brentq(lambda approach: loads(approach).sum() - solution.load, 0.0, high, xtol=1e-15, rtol=1e-13)
-    return loads(float(found))
+    root = brentq(lambda approach: loads(approach).sum() - solution.load, 0.0, high, xtol=1e-15, rtol=1e-13)
+    return loads(float(root))

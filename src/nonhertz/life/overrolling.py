@@ -123,7 +123,7 @@ class Overrolled(HasFindings, ReadOnly):
         evaluated, fill = levels()
         stresses = np.maximum(getattr(self, model.stress if dented else f"smooth_{model.stress}") @ fill.T, 0.0)
         scale = self.z[-1] / evaluated[-1]
-        return over_depth(model, stresses, *(scale * each for each in depths()))
+        return over_depth(model, stresses, *(scale * values for values in depths()))
 
     def relative_life(
         self,
@@ -252,7 +252,7 @@ def overrolled(
         smooth, options = _grid(solution, dent, side)
         passed = _passed(smooth, options, dent, announce)
     around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
-    differences = {place: each.pressure - smooth.pressure for place, each in passed.items()}
+    differences = {place: patch.pressure - smooth.pressure for place, patch in passed.items()}
     places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
     curvature = float((contact.a if body == "a" else contact.b).curvature(np.array([dent.y]))[0])
     names = (*STRESSES, *(f"smooth_{name}" for name in STRESSES))
@@ -267,7 +267,7 @@ def overrolled(
         y=around.y,
         z=half_width * levels()[0],
         **dict(zip(names, around.largest(differences), strict=True)),
-        findings=(*(max(passed.values(), key=lambda each: each.max_pressure).findings if passed else ()), *coarse),
+        findings=(*(max(passed.values(), key=lambda patch: patch.max_pressure).findings if passed else ()), *coarse),
     )
 
 
@@ -309,18 +309,18 @@ def _passed(
     smooth: PatchSolution, options: dict[str, Any], dent: Dent, announce: Callable[[int, int], object] | None
 ) -> dict[int, PatchSolution]:
     """Return the solutions with the dent at all positions, in cells from the middle, where it changes the pressure."""
-    found = dict[int, PatchSolution]()
+    solutions = dict[int, PatchSolution]()
     expected = math.ceil((0.5 * outer(dent) - smooth.x[0]) / smooth.dx)
     least = UNCHANGED * float(smooth.pressure.max())
     for place in count():
         solution = solve(smooth.contact, features=replace(dent, x=place * smooth.dx), **options)
         if np.abs(solution.pressure - smooth.pressure).max() < least:
             break
-        found[-place] = replace(solution, pressure=solution.pressure[::-1], gap=solution.gap[::-1])
-        found[place] = solution
+        solutions[-place] = replace(solution, pressure=solution.pressure[::-1], gap=solution.gap[::-1])
+        solutions[place] = solution
         if announce is not None:
             announce(place + 1, max(expected, place + 1))
-    return found
+    return solutions
 
 
 @dataclass(frozen=True, eq=False)
@@ -371,7 +371,7 @@ class _Surroundings:
                 having[:, seen] = _measures(self.smooth[at[seen]] + self.added(differences[place])[at[seen]])
             for top, values in zip(tops, (having, without), strict=True):
                 top.pass_by(values)
-        return [each for top in tops for each in self._on_both_sides(top.best)]
+        return [largest_on_side for top in tops for largest_on_side in self._on_both_sides(top.best)]
 
     def _on_both_sides(self, best: Array) -> list[Array]:
         """Return the stresses on both sides of the dent, the orthogonal shear without the steps of cells."""
@@ -413,7 +413,9 @@ def _below(
     low, high = max(int(rows[0]), 0), min(int(rows[-1]) + 1, cells.y.size)
     shape = next_fast_len(2 * (half + window) + 1), next_fast_len(int(max(high, rows[-1]) - min(low, rows[0])) * 2 + 1)
     offsets = (np.rint(np.fft.fftfreq(n) * n) for n in shape)
-    x, y = np.meshgrid(*(side * each for side, each in zip((cells.dx, cells.dy), offsets, strict=True)), indexing="ij")
+    x, y = np.meshgrid(
+        *(side * offset for side, offset in zip((cells.dx, cells.dy), offsets, strict=True)), indexing="ij"
+    )
     one = np.zeros(1)
     cell = Rectangles.of(one, one, cells.dx, cells.dy, np.ones((1, 1)))
     kernels = []
@@ -425,6 +427,6 @@ def _below(
 
     def added(pressure: Array) -> Array:
         spectrum = rfft2(pressure[:, low:high], shape)
-        return np.stack([np.moveaxis(irfft2(spectrum * each, shape)[:, *out], 0, -1) for each in kernels], axis=-2)
+        return np.stack([np.moveaxis(irfft2(spectrum * kernel, shape)[:, *out], 0, -1) for kernel in kernels], axis=-2)
 
     return added

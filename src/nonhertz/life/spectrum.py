@@ -35,10 +35,10 @@ def checked_shares(
     pairs = list(solution) if isinstance(solution, Sequence) else []
     if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
         raise InputError("solution", solution, condition, remedy)
-    for each, share in pairs:
-        check(each)
+    for result, share in pairs:
+        check(result)
         positive("share", share, remedy)
-        if getattr(each, of) != getattr(pairs[0][0], of):
+        if getattr(result, of) != getattr(pairs[0][0], of):
             raise InputError("solution", "several", f"all be of one {of}", f"assess {of}s one by one")
     at_most_whole("share", [share for _, share in pairs], remedy)
     return pairs
@@ -47,15 +47,15 @@ def checked_shares(
 def checked_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
     """Return load cases of a kind in a list; refuse anything else, and none at all."""
     remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.LoadCase"
-    found: list[Case] = listed(name, cases, "be load cases", remedy)
-    if not found or not all(isinstance(each, kind) for each in found):
+    items: list[Case] = listed(name, cases, "be load cases", remedy)
+    if not items or not all(isinstance(case, kind) for case in items):
         raise InputError(name, cases, "be load cases", remedy)
-    return found
+    return items
 
 
 def refuse_other_than_whole(name: str, cases: Sequence[LoadCase], remedy: str) -> float:
     """Refuse shares that do not add up to 1 within 0.001; return what they add up to."""
-    total = math.fsum(each.share for each in cases)
+    total = math.fsum(case.share for case in cases)
     if abs(total - 1.0) > WHOLE:
         raise InputError(name, round(total, 6), "add up to 1", remedy)
     return total
@@ -143,5 +143,5 @@ def solve_spectrum(
     total = refuse_other_than_whole("share", cases, "give all loads with their shares of the revolutions")
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
     aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}
-    found = solve_many(contact, load=loads, tilt=tilts, element=element, **aim, threads=threads)
-    return tuple((found[number], case.share / total) for number, case in enumerate(cases))
+    solutions = solve_many(contact, load=loads, tilt=tilts, element=element, **aim, threads=threads)
+    return tuple((solutions[number], case.share / total) for number, case in enumerate(cases))

@@ -157,7 +157,7 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     scale = np.minimum(half_width[:, None], thickness / PANELS[-1])
     evaluated, fill = levels()
     depth = scale * evaluated
-    z, height = (scale * each for each in depths())
+    z, height = (scale * values for values in depths())
     if bends:
         from scipy.linalg import block_diag
 
@@ -190,9 +190,9 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     low, high = solution.edges[np.flatnonzero(touching)[[0, -1]] + [0, 1]]
     pressure[(y < low) | (y > high)] = 0.0
     plane = _plane_strain(inside.body.material.poisson)
-    amplitudes = {name: pressure[:, None] * each for name, each in plane.items()}
+    amplitudes = {name: pressure[:, None] * amplitude for name, amplitude in plane.items()}
     amplitudes["orthogonal_shear"] = _from_nearby(solution, y, half_width, plane["orthogonal_shear"])
-    z, height = (half_width[:, None] * each for each in depths())
+    z, height = (half_width[:, None] * values for values in depths())
     return _exposed(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
@@ -203,7 +203,7 @@ def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) ->
     across = solution.extent_across[1][touching]
     edges = solution.edges[np.append(touching, touching[-1] + 1)]
     depth, (evaluated, fill) = depths()[0], levels()
-    found = np.empty((y.size, evaluated.size))
+    amplitude = np.empty((y.size, evaluated.size))
     for i, (station, b) in enumerate(zip(y, half_width, strict=True)):
         z = b * evaluated[:, None]
         reach = np.sqrt(z**2 + (SPREAD * b) ** 2)
@@ -215,8 +215,8 @@ def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) ->
         shear = np.interp(relative, np.append(0.0, depth), np.append(0.0, plane))
         shear *= np.minimum(1.0, depth[-1] / relative)
         share = np.diff(_share_below((edges[first : last + 1] - station) / reach), axis=1)
-        found[i] = np.sum(share * pressure[near] * shear, axis=1)
-    return np.maximum(found @ fill.T, 0.0)
+        amplitude[i] = np.sum(share * pressure[near] * shear, axis=1)
+    return np.maximum(amplitude @ fill.T, 0.0)
 
 
 def _share_below(distance: Array) -> Array:
@@ -230,8 +230,8 @@ def _plane_strain(poisson: float) -> dict[str, Array]:
     """Return the largest stresses over a pass of Hertz's line contact over its pressure, at all `depths`."""
     line = line_contact(line_load=1.0, radius=1.0, compliance=1.0)
     depth, fill = levels()
-    found = plane_strain_passage(line, depth * line.half_width, poisson)
-    return {name: fill @ values / line.max_pressure for name, values in found.items()}
+    passage = plane_strain_passage(line, depth * line.half_width, poisson)
+    return {name: fill @ values / line.max_pressure for name, values in passage.items()}
 
 
 def _exposed(
@@ -298,13 +298,13 @@ def even_exposure(
     y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     poisson = (contact.a if body == "a" else contact.b).material.poisson
     lines = [
-        line_contact(line_load=load / (high - low), radius=1.0 / float(each), compliance=contact.compliance)
-        for each in contact.curvature(y)
+        line_contact(line_load=load / (high - low), radius=1.0 / float(curvature), compliance=contact.compliance)
+        for curvature in contact.curvature(y)
     ]
     half_width = np.array([line.half_width for line in lines])
     pressure = np.array([line.max_pressure for line in lines])
-    amplitudes = {name: pressure[:, None] * each for name, each in _plane_strain(poisson).items()}
-    z, height = (half_width[:, None] * each for each in depths())
+    amplitudes = {name: pressure[:, None] * amplitude for name, amplitude in _plane_strain(poisson).items()}
+    z, height = (half_width[:, None] * values for values in depths())
     counted = np.ones(z.shape, dtype=bool)
     return Exposure(body, y, width, half_width, z, height, **amplitudes, counted=counted, reference=None, sharp=())
 

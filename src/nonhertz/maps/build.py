@@ -60,17 +60,17 @@ class Building:
     def pressed(self, name: str, values: Array, tilt: Array) -> Solutions:
         """Solve cases under loads or approaches; what their solutions warn of is left to single solves."""
         with without_accuracy_warnings():
-            given: dict[str, Any] = {name: values}
-            return solve_many(self.contact, **given, tilt=tilt, element=self.element, threads=self.threads)
+            prescribed: dict[str, Any] = {name: values}
+            return solve_many(self.contact, **prescribed, tilt=tilt, element=self.element, threads=self.threads)
 
     def solved(self, load: Array, tilt: Array) -> Samples:
         """Solve cases under loads [N] and at tilts [rad]; those that fail are left out."""
-        found = self.pressed("load", load, tilt)
-        good = np.flatnonzero(found.converged)
-        spreads = [spread(self.contact, *found.line_load(int(number)), self.stations) for number in good]
+        solutions = self.pressed("load", load, tilt)
+        good = np.flatnonzero(solutions.converged)
+        spreads = [spread(self.contact, *solutions.line_load(int(number)), self.stations) for number in good]
         return Samples(
-            found.load[good], found.tilt[good], found.approach[good], found.moment[good], found.stiffness[good],
-            found.max_pressure[good], found.max_half_width[good],
+            solutions.load[good], solutions.tilt[good], solutions.approach[good], solutions.moment[good],
+            solutions.stiffness[good], solutions.max_pressure[good], solutions.max_half_width[good],
             np.array([places for places, _ in spreads]).reshape(good.size, QUANTILES),
             np.array([loads for _, loads in spreads]).reshape(good.size, self.stations.size - 1),
         )  # fmt: skip
@@ -94,7 +94,7 @@ def built(
         If fewer cases have a solution than have none.
     """
     random = np.random.default_rng(_SEED)
-    asked: set[tuple[float, float]] = set()
+    known: set[tuple[float, float]] = set()
     tried: list[tuple[Misses, Shape]] = []
     samples: Samples | None = None
     failed = 0
@@ -103,10 +103,10 @@ def built(
         nonlocal failed
         checks = building.solved(*_check_points(shape, random, count))
         failed += count - checks.load.size
-        return checks, Misses.of(shape, table(shape.counted, shape.breaks, *found), building.stations, checks)
+        return checks, Misses.of(shape, table(shape.counted, shape.breaks, *coefficients), building.stations, checks)
 
     while True:
-        load, tilt = _new_nodes(shape, asked)
+        load, tilt = _new_nodes(shape, known)
         announce(f"{load.size + (samples.load.size if samples else 0)} cases")
         fresh = building.solved(load, tilt)
         failed += load.size - fresh.load.size
@@ -114,7 +114,7 @@ def built(
         if failed > samples.load.size:
             condition = f"not exceed the number of cases with one, {samples.load.size}"
             raise InputError("cases without a solution", failed, condition, "narrow the range of the map")
-        found = fitted(shape, samples, _touch(shape, relief))
+        coefficients = fitted(shape, samples, _touch(shape, relief))
         for count in (min(_ROUND_POINTS, building.checks), building.checks):
             checks, misses = checked(count)
             if SAFETY * misses.worst > accuracy:
@@ -122,18 +122,18 @@ def built(
         else:
             break
         tried.append((misses, shape))
-        refined = _refined(shape, found[0], checks, misses.combined, accuracy / SAFETY)
+        refined = _refined(shape, coefficients[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
         if refined is None or _scattered(tried) or samples.load.size > _MOST_CASES:
             least = min(misses.typical for misses, _ in tried)
-            shape = next(each for misses, each in tried if misses.typical <= _AS_GOOD * least)
-            found = fitted(shape, samples, _touch(shape, relief))
+            shape = next(candidate for misses, candidate in tried if misses.typical <= _AS_GOOD * least)
+            coefficients = fitted(shape, samples, _touch(shape, relief))
             _, misses = checked(building.checks)
             break
         shape = refined
     return {
         "numbers": shape.counted, "breaks": np.concatenate(shape.breaks), "half_length": shape.half_length,
-        "mean_approach": found[0], "others": found[1],
+        "mean_approach": coefficients[0], "others": coefficients[1],
         "sampled_error": misses.sampled(), "cases": samples.load.size, "failed": failed,
     }  # fmt: skip
 
@@ -145,12 +145,12 @@ def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
     return idle and tried[-1][0].worst < _EVEN * float(np.median(tried[-1][0].combined))
 
 
-def _new_nodes(shape: Shape, asked: set[tuple[float, float]]) -> tuple[Array, Array]:
+def _new_nodes(shape: Shape, known: set[tuple[float, float]]) -> tuple[Array, Array]:
     """Return load and tilt at the nodes of the cells that were not asked for before, which are added to ``asked``."""
     x, z = _nodes(shape.breaks[0])[1:], _nodes(shape.breaks[1])
     x[0] = max(x[0], _LEAST_X)
-    new = [node for node in ((float(a), float(b)) for a in x for b in z) if node not in asked]
-    asked.update(new)
+    new = [node for node in ((float(a), float(b)) for a in x for b in z) if node not in known]
+    known.update(new)
     places = np.array(new).reshape(-1, 2)
     return shape.prescribed(places[:, 0], places[:, 1])
 
@@ -197,6 +197,6 @@ def _refined(shape: Shape, mean_approach: Array, checks: Samples, errors: Array,
         chosen = np.unique(cells[own >= _DIRECTION * other])
         middles = 0.5 * (breaks[chosen] + breaks[chosen + 1])
         halved.append(np.unique(np.concatenate([breaks, middles])))
-    if max(each.size for each in halved) > _MOST_CELLS + 1:
+    if max(knots.size for knots in halved) > _MOST_CELLS + 1:
         return None
     return replace(shape, breaks=(halved[0], halved[1]))

@@ -90,7 +90,7 @@ def _fits(arrays: Mapping[str, np.ndarray[Any, Any]]) -> bool:
     counts = numbers[[LOAD_CELLS, TILT_CELLS]]
     if np.any(counts != np.floor(counts)) or np.any(counts < 1) or breaks.size > ARCHIVE.most:
         return False
-    loads, tilts = (int(each) for each in counts)
+    loads, tilts = (int(count) for count in counts)
     shape = loads + DEGREE, tilts + DEGREE
     if breaks.size != loads + tilts + 2 or stations.size < 2:
         return False
@@ -99,4 +99,4 @@ def _fits(arrays: Mapping[str, np.ndarray[Any, Any]]) -> bool:
     ascending = (breaks[: loads + 1], breaks[loads + 1 :], stations, numbers[[TILT_LOW, TILT_HIGH]])
     positive = numbers[MOST_LOAD] > 0.0 and numbers[NARROW] > 0.0 and numbers[WIDENING] >= 0.0
     reaches = stations[0] <= numbers[LOW_END] < numbers[HIGH_END] <= stations[-1]
-    return bool(positive and reaches and all(np.all(np.diff(each) > 0.0) for each in ascending))
+    return bool(positive and reaches and all(np.all(np.diff(column) > 0.0) for column in ascending))

@@ -87,7 +87,7 @@ class Shape:
     @property
     def counted(self) -> Array:
         """The first eleven of ``ContactMap.table``."""
-        return np.concatenate([self.numbers, [each.size - 1 for each in self.breaks]])
+        return np.concatenate([self.numbers, [knots.size - 1 for knots in self.breaks]])
 
     @property
     def max_load(self) -> float:
@@ -129,7 +129,7 @@ def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[
     # Imported here, because a map that is read, or none, needs nothing of it.
     from scipy import sparse
 
-    counts = [size(each) for each in shape.breaks]
+    counts = [size(knots) for knots in shape.breaks]
     x, z = shape.coordinates(samples.load, samples.tilt)
     light = np.maximum(samples.load, LIGHT * shape.max_load)
     system, right = _mean_approach_rows(shape, samples, x, z, light)
@@ -208,9 +208,9 @@ def _least_squares(
     normal = sparse.csc_array(rows.T @ rows)
     normal += sparse.diags_array(np.full(normal.shape[0], _RIDGE * normal.diagonal().mean()), format="csc")
     solver = splu(normal)
-    found = solver.solve(rows.T @ values)
+    solution = solver.solve(rows.T @ values)
     # Once more on what is left: normal equations square the condition number.
-    improved: Array = found + solver.solve(rows.T @ (values - rows @ found))
+    improved: Array = solution + solver.solve(rows.T @ (values - rows @ solution))
     return improved
 
 

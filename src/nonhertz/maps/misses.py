@@ -60,23 +60,23 @@ class Misses:
     @classmethod
     def of(cls, shape: Shape, table: Array, stations: Array, samples: Samples) -> Misses:
         """Compare a stand-in with solved cases at the same approach and tilt."""
-        found = core.map_states(table, False, samples.approach, samples.tilt)
-        strip_loads = core.map_shares(table, np.ascontiguousarray(found[:, 2]), samples.tilt, stations)
+        states = core.map_states(table, False, samples.approach, samples.tilt)
+        strip_loads = core.map_shares(table, np.ascontiguousarray(states[:, 2]), samples.tilt, stations)
         light = np.maximum(samples.load, LIGHT * shape.max_load)
         half, solid = shape.half_length, samples.stiffness
         # The stiffness grows about as the cube root of the load.
         stiffness = solid[:, 0, 0] * np.cbrt(light / samples.load)
         entries = [
-            (found[:, 4] - solid[:, 0, 0]) / stiffness,
-            (found[:, 5] - solid[:, 0, 1]) / stiffness / half,
-            (found[:, 6] - solid[:, 1, 1]) / stiffness / half**2,
+            (states[:, 4] - solid[:, 0, 0]) / stiffness,
+            (states[:, 5] - solid[:, 0, 1]) / stiffness / half,
+            (states[:, 6] - solid[:, 1, 1]) / stiffness / half**2,
         ]
         relative = [
-            np.abs(found[:, 2] - samples.load) / light,
-            np.abs(found[:, 3] - samples.moment) / (light * half),
+            np.abs(states[:, 2] - samples.load) / light,
+            np.abs(states[:, 3] - samples.moment) / (light * half),
             np.abs(entries).max(axis=0),
-            np.abs(found[:, 8] - samples.max_pressure) / _but_least(samples.max_pressure),
-            np.abs(found[:, 9] - samples.max_half_width) / _but_least(samples.max_half_width),
+            np.abs(states[:, 8] - samples.max_pressure) / _but_least(samples.max_pressure),
+            np.abs(states[:, 9] - samples.max_half_width) / _but_least(samples.max_half_width),
             np.abs(strip_loads - samples.strip_loads).max(axis=1) / light,
         ]
         return cls(np.array(relative))

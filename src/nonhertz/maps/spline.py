@@ -55,11 +55,11 @@ def rows(
     from scipy import sparse
     from scipy.interpolate import NdBSpline
 
-    first, second = (basis(each, order) for each, order in zip(breaks, derivatives, strict=True))
-    lower = sparse.kron(*(each.c[: each.t.size - each.k - 1] for each in (first, second)), format="csr")
-    found = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
+    first, second = (basis(knots, order) for knots, order in zip(breaks, derivatives, strict=True))
+    lower = sparse.kron(*(axis.c[: axis.t.size - axis.k - 1] for axis in (first, second)), format="csr")
+    design = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
     # Its shape ends with the last function that is not zero at any place.
-    values = sparse.csr_array((found.data, found.indices, found.indptr), (len(found.indptr) - 1, lower.shape[0]))
+    values = sparse.csr_array((design.data, design.indices, design.indptr), (len(design.indptr) - 1, lower.shape[0]))
     return sparse.csr_array(values @ lower)
 
 
@@ -70,7 +70,7 @@ def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
     """
     from scipy import sparse
 
-    counts = [size(each) for each in breaks]
+    counts = [size(knots) for knots in breaks]
     steps = [sparse.csr_array(np.diff(np.eye(count), n=_ROUGHNESS, axis=0)) for count in counts]
     return sparse.csr_array(
         sparse.vstack([sparse.kron(steps[0], sparse.eye(counts[1])), sparse.kron(sparse.eye(counts[0]), steps[1])])
@@ -96,8 +96,8 @@ def cells(breaks: tuple[Array, Array], coefficients: Array) -> Array:
     """
     first, second = polynomials(breaks[0]), polynomials(breaks[1])
     windows = np.lib.stride_tricks.sliding_window_view(coefficients, (ORDER, ORDER), axis=(-2, -1))
-    found: Array = np.einsum("ikp,...ijkl,jlq->...ijpq", first, windows, second, optimize=True)
-    return found
+    coefficients_of_cells: Array = np.einsum("ikp,...ijkl,jlq->...ijpq", first, windows, second, optimize=True)
+    return coefficients_of_cells
 
 
 def jumps(breaks: tuple[Array, Array], coefficients: Array, places: tuple[Array, Array]) -> tuple[Array, Array]:
@@ -105,23 +105,23 @@ def jumps(breaks: tuple[Array, Array], coefficients: Array, places: tuple[Array,
 
     Times the size of the cell to the power of five it estimates what a finer spline would change there.
     """
-    found = cells(breaks, coefficients)
+    polynomials = cells(breaks, coefficients)
     at = [
-        np.clip(np.searchsorted(each, place, side="right") - 1, 0, each.size - 2)
-        for each, place in zip(breaks, places, strict=True)
+        np.clip(np.searchsorted(knots, place, side="right") - 1, 0, knots.size - 2)
+        for knots, place in zip(breaks, places, strict=True)
     ]
-    local = [(place - each[i]) / (each[i + 1] - each[i]) for each, place, i in zip(breaks, places, at, strict=True)]
-    powers = [each[:, None] ** np.arange(ORDER) for each in local]
+    local = [(place - knots[i]) / (knots[i + 1] - knots[i]) for knots, place, i in zip(breaks, places, at, strict=True)]
+    powers = [fraction[:, None] ** np.arange(ORDER) for fraction in local]
     # The leading coefficient in one direction, along the other at the place.
     leading = (
-        np.einsum("nq,inq->in", powers[1], found[:, at[1], DEGREE, :]),
-        np.einsum("np,jnp->jn", powers[0], found[at[0], :, :, DEGREE].swapaxes(0, 1)),
+        np.einsum("nq,inq->in", powers[1], polynomials[:, at[1], DEGREE, :]),
+        np.einsum("np,jnp->jn", powers[0], polynomials[at[0], :, :, DEGREE].swapaxes(0, 1)),
     )
     changes = []
-    for each, rows, i in zip(breaks, leading, at, strict=True):
-        derivatives = rows / np.diff(each)[:, None] ** DEGREE
+    for knots, rows, i in zip(breaks, leading, at, strict=True):
+        derivatives = rows / np.diff(knots)[:, None] ** DEGREE
         around = np.abs(np.diff(derivatives, axis=0))
         padded = np.concatenate([np.zeros((1, i.size)), around, np.zeros((1, i.size))])
         largest = np.maximum(padded[i, np.arange(i.size)], padded[i + 1, np.arange(i.size)])
-        changes.append(largest * (each[i + 1] - each[i]) ** DEGREE)
+        changes.append(largest * (knots[i + 1] - knots[i]) ** DEGREE)
     return changes[0], changes[1]

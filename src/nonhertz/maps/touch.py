@@ -36,7 +36,7 @@ class Relief:
     @classmethod
     def between(cls, contact: Contact, low: float, high: float) -> Relief:
         """Return the separation between two places [mm]."""
-        crests = [each for each in contact.crests if low <= each <= high]
+        crests = [crest for crest in contact.crests if low <= crest <= high]
         y = np.unique(np.concatenate([np.linspace(low, high, _SAMPLES), crests]))
         separation = contact.separation(y)
         known = np.isfinite(separation)
@@ -68,14 +68,14 @@ class Relief:
             return 0.5 * (low + high), 0.0, high - low
         step = tilts[1] - tilts[0]
         # Within a step of the tilts: by bisection.
-        left, right = tilts[fastest], tilts[fastest + 1]
+        lower, upper = tilts[fastest], tilts[fastest + 1]
         for _ in range(30):
-            middle = 0.5 * (left + right)
+            middle = 0.5 * (lower + upper)
             if self._nearest(middle) - places[fastest] > 0.5 * moved[fastest]:
-                right = middle
+                upper = middle
             else:
-                left = middle
-        return float(0.5 * (left + right)), float(moved[fastest]), float(step)
+                lower = middle
+        return float(0.5 * (lower + upper)), float(moved[fastest]), float(step)
 
     def _nearest(self, tilt: float) -> float:
         """Return the sampled place [mm] that touches first at a tilt [rad]."""

@@ -137,14 +137,14 @@ class ContactMap(HasFindings, ReadOnly):
         pressed = (newton if self.given == "load" else um)(*self.pressed, between=" to ")
         tilts = mrad(*self.tilt_range, between=" to ")
         failures = f"; {self.failed} had no solution" if self.failed else ""
-        errors = ", ".join(" ".join(each) for each in self.errors_in_words)
-        said = [
+        errors = ", ".join(" ".join(part) for part in self.errors_in_words)
+        lines = [
             self.description,
             f"{self.given} {pressed:.4g}, tilt {tilts:.4g}, loads up to {newton(self.max_load)}",
             f"built from {self.cases} cases{failures}",
             f"largest of {error.points} sampled errors, times {SAFETY:g}, not a bound: {errors}",
         ]
-        return plain_text("ContactMap", said)
+        return plain_text("ContactMap", lines)
 
     @property
     def errors_in_words(self) -> list[tuple[str, str]]:
@@ -236,12 +236,12 @@ class ContactMap(HasFindings, ReadOnly):
         values, tilts = broadcast(remedy, numbers(name, value, remedy), numbers("tilt", tilt, remedy))
         shape = values.shape
         first, second = values.ravel(), self._within(tilts).ravel()
-        found = core.map_states(self.table, name == "load", first, second)
-        outside = np.flatnonzero(found[:, 7] == 0.0)
+        states = core.map_states(self.table, name == "load", first, second)
+        outside = np.flatnonzero(states[:, 7] == 0.0)
         if outside.size:
             self._refuse(name, float(first[outside[0]]), float(second[outside[0]]))
-        stiffness = found[:, [4, 5, 5, 6]].reshape(*shape, 2, 2)
-        plain = [column.reshape(shape) if shape else float(column[0]) for column in found.T]
+        stiffness = states[:, [4, 5, 5, 6]].reshape(*shape, 2, 2)
+        plain = [column.reshape(shape) if shape else float(column[0]) for column in states.T]
         return MapPoint(*plain[:4], stiffness, *plain[8:])  # type: ignore[call-arg, arg-type]
 
     def strip_loads(self, point: MapPoint, stations: ArrayLike | None = None) -> Array:
@@ -269,9 +269,9 @@ class ContactMap(HasFindings, ReadOnly):
         edges = self.stations if stations is None else numbers("stations", stations, remedy)
         if edges.ndim != 1 or edges.size < 2 or np.any(np.diff(edges) <= 0.0):
             raise InputError("stations", stations, "be ascending", remedy)
-        load, tilt = (np.asarray(each, dtype=float).ravel() for each in (point.load, point.tilt))
-        found = core.map_shares(self.table, load, tilt, np.ascontiguousarray(edges))
-        return found.reshape(*np.shape(point.load), -1)
+        load, tilt = (np.asarray(values, dtype=float).ravel() for values in (point.load, point.tilt))
+        loads = core.map_shares(self.table, load, tilt, np.ascontiguousarray(edges))
+        return loads.reshape(*np.shape(point.load), -1)
 
     def _within(self, tilt: Array) -> Array:
         """Return tilts, those a rounding error outside the range moved to its end."""

@@ -118,7 +118,7 @@ def contact_map(
     ends = float(relief.y[0]), float(relief.y[-1])
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, max_load, rise, tilts)
-    found = built(building, shape, relief, accuracy, announce or (lambda _: None))
+    surfaces = built(building, shape, relief, accuracy, announce or (lambda _: None))
     bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
     made = ContactMap(
         description=f"{bodies}, {building.element.name} strips",
@@ -126,7 +126,7 @@ def contact_map(
         pressed=pressed,
         stations=building.stations,
         accuracy=float(accuracy),
-        **found,
+        **surfaces,
     )
     warn(made.findings)
     return made
@@ -192,20 +192,20 @@ def _extent(building: Building, by_load: bool, pressed: Range, tilts: Range) -> 
     Found by solving under the largest load or approach at a few tilts.
     """
     tilt = np.linspace(*tilts, _END_TILTS)
-    found = building.pressed("load" if by_load else "approach", np.full(_END_TILTS, pressed[1]), tilt)
-    good = np.flatnonzero(found.converged)
+    solutions = building.pressed("load" if by_load else "approach", np.full(_END_TILTS, pressed[1]), tilt)
+    good = np.flatnonzero(solutions.converged)
     if good.size == 0:
-        error = found.failures[0]
+        error = solutions.failures[0]
         if isinstance(error, InputError):
             raise error
         raise InputError("contact", "", "have a solution at the end of the range", f"narrow the range ({error})")
-    max_load = pressed[1] if by_load else _BEYOND * float(found.load[good].max())
+    max_load = pressed[1] if by_load else _BEYOND * float(solutions.load[good].max())
     low, high = building.contact.interval
-    edges = [found.line_load(int(number))[0] for number in good]
-    outermost = min(float(each[0]) for each in edges), max(float(each[-1]) for each in edges)
+    edges = [solutions.line_load(int(number))[0] for number in good]
+    outermost = min(float(positions[0]) for positions in edges), max(float(positions[-1]) for positions in edges)
     ends = low if np.isfinite(low) else outermost[0], high if np.isfinite(high) else outermost[1]
     relief = Relief.between(building.contact, *ends)
-    return max_load, relief, float(np.median(found.approach[good] - relief.touched(tilt[good])))
+    return max_load, relief, float(np.median(solutions.approach[good] - relief.touched(tilt[good])))
 
 
 def _shape(relief: Relief, max_load: float, rise: float, tilts: Range) -> Shape:

@@ -220,9 +220,9 @@ class Measured:
         tuple of Finding
             Empty if there is nothing to know.
         """
-        found = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
-        found += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
-        found += self._stepped()
+        findings = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
+        findings += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
+        findings += self._stepped()
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -230,8 +230,8 @@ class Measured:
                     "{count:.0f} points were removed as outliers, more than {limit:.0f} % of all; check whether they "
                     "are part of the surface."
                 )
-                found.append(finding("many-outliers", words, count=count, limit=100 * _MANY_OUTLIERS))
-        return tuple(found)
+                findings.append(finding("many-outliers", words, count=count, limit=100 * _MANY_OUTLIERS))
+        return tuple(findings)
 
     def fit(self, kind: str, *, shift: bool = True, tilt: bool = False, **fixed: float) -> ProfileFit:
         """Return the best-fitting profile of one kind from the catalogue; see `nonhertz.measured.fit`."""

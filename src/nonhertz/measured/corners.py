@@ -128,9 +128,11 @@ def _run_out(points: Points, land: Array) -> Array:
         near = inwards <= _LAND + _ROUNDING
         if not np.any(corner) or not resolved(on_land, near, _RUN_OUT_CUTOFF):
             continue
-        left = on_land.height[near] - land[near]
-        left = _regressed(-side * inwards[near] / _RUN_OUT_CUTOFF, left, on_land.weights[near] / _RUN_OUT_CUTOFF, 0.0)
-        land[near] += left * np.cos(0.5 * math.pi * inwards[near] / _LAND) ** 2
+        residual = on_land.height[near] - land[near]
+        residual = _regressed(
+            -side * inwards[near] / _RUN_OUT_CUTOFF, residual, on_land.weights[near] / _RUN_OUT_CUTOFF, 0.0
+        )
+        land[near] += residual * np.cos(0.5 * math.pi * inwards[near] / _LAND) ** 2
     return land
 
 
@@ -143,12 +145,12 @@ def resolved(points: Points, corner: NDArray[np.bool_], cutoff: float = CORNER_C
 
 def turns(points: Points) -> tuple[float, float]:
     """Return by how much the slope changes where the corners at low and high y begin, zero where there is none."""
-    found = []
+    angles = []
     for side, corner, at_end in zip((-1.0, 1.0), points.beyond_land, (0, -1), strict=True):
         end = float(points.on_land.y[at_end])
         inner, at, outer = np.interp(end + side * EDGE * np.array([-1.0, 0.0, 1.0]), points.y, points.height)
-        found.append(float(2.0 * at - inner - outer) / EDGE if resolved(points, corner) else 0.0)
-    return found[0], found[1]
+        angles.append(float(2.0 * at - inner - outer) / EDGE if resolved(points, corner) else 0.0)
+    return angles[0], angles[1]
 
 
 def positions(points: Points) -> Array:
@@ -158,22 +160,22 @@ def positions(points: Points) -> Array:
     divided for a cutoff's length, so that a spline does not swing where a corner bends away.
     """
     low, high = points.beyond_land
-    found = []
+    places = []
     for side, corner, at_end in ((-1.0, low, 0), (1.0, high, -1)):
         if not np.any(corner):
             continue
         end = points.on_land.y[at_end]
         extent = abs(float(points.y[at_end] - end))
         if not resolved(points, corner):
-            found.append(points.y[corner])
+            places.append(points.y[corner])
             continue
         distances = [0.0]
         while distances[-1] < extent - _ROUNDING:
             distances.append(distances[-1] + max(CORNER_CUTOFF / _PER_CUTOFF, _COARSER * distances[-1]))
         outwards = np.array(distances) * extent / distances[-1]
         inwards = -CORNER_CUTOFF / _PER_CUTOFF * np.arange(1, _PER_CUTOFF + 1)
-        found.append(end + side * np.concatenate([outwards, inwards]))
-    return np.concatenate(found) if found else np.empty(0)
+        places.append(end + side * np.concatenate([outwards, inwards]))
+    return np.concatenate(places) if places else np.empty(0)
 
 
 def _without_spikes(height: Array) -> Array:
@@ -189,8 +191,8 @@ def _miss(distance: Array, height: Array, place: float) -> float:
     """Return the sum of squares that is left of a parabola with another one added beyond a place."""
     beyond = np.maximum(distance - place, 0.0)
     terms = np.stack([np.ones_like(distance), distance, distance**2, beyond, beyond**2], axis=1)
-    found = np.linalg.lstsq(terms, height, rcond=None)[0]
-    return float(np.sum((terms @ found - height) ** 2))
+    coefficients = np.linalg.lstsq(terms, height, rcond=None)[0]
+    return float(np.sum((terms @ coefficients - height) ** 2))
 
 
 def _regressed(distance: Array, height: Array, weight: Array, pinned: float) -> Array:

@@ -81,8 +81,8 @@ class ProfileFit:
             If the kind has no such parameter.
         """
         one_of("name", name, ("shift", *PARAMETERS[self.kind].descriptions), "give a parameter of the fitted profile")
-        each = PARAMETERS[self.kind].descriptions.get(name)
-        return each.unit if isinstance(each, Quantity) else "mm"
+        field = PARAMETERS[self.kind].descriptions.get(name)
+        return field.unit if isinstance(field, Quantity) else "mm"
 
     def relief(self, y: Array) -> Array:
         """Return the fitted relief [mm] at positions [mm], offset, shift and tilt included.
@@ -199,9 +199,9 @@ def fit_best(
     if not kinds:
         raise InputError("kinds", kinds, "hold at least one kind", remedy)
     fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in kinds]
-    nearest = min(fits, key=lambda each: each.rms)
-    judged = [_penalised(each, nearest.points) for each in fits]
-    return tuple(sorted(judged, key=lambda each: each.penalised))
+    nearest = min(fits, key=lambda fit: fit.rms)
+    judged = [_penalised(fit, nearest.points) for fit in fits]
+    return tuple(sorted(judged, key=lambda fit: fit.penalised))
 
 
 def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> None:
@@ -235,18 +235,18 @@ def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:
 def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> dict[str, float]:
     """Return the parameters of the best grid point."""
     middle = 0.5 * float(y[0] + y[-1])
-    how, best, found = _HOW[kind], np.inf, {}
+    how, best, parameters = _HOW[kind], np.inf, {}
     for lengths in how.lengths(0.5 * float(y[-1] - y[0])):
         bases = how.bases(np.abs(y - middle) if kind not in _NO_SHIFT else y, lengths)
         columns = np.column_stack([*bases, np.ones_like(y)])
         solution = np.linalg.lstsq(columns, relief, rcond=None)[0]
-        left = float(np.sum((columns @ solution - relief) ** 2))
+        square = float(np.sum((columns @ solution - relief) ** 2))
         factors = np.asarray(solution[:-1], dtype=np.float64)
         if kind in _POSITIVE:
             factors = np.maximum(factors, 1e-9)
-        if left < best:
-            best, found = left, how.parameters(lengths, factors)
-    return found | dict(fixed)
+        if square < best:
+            best, parameters = square, how.parameters(lengths, factors)
+    return parameters | dict(fixed)
 
 
 def _solved(
@@ -265,11 +265,11 @@ def _solved(
     def values(x: Array) -> dict[str, float]:
         return dict(zip(names, np.where(logs, np.exp(np.where(logs, x, 0.0)), x).tolist(), strict=True))
 
-    def left(x: Array) -> Array:
-        found = values(x)
-        nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
+    def residuals(x: Array) -> Array:
+        parameters = values(x)
+        nuisance = {name: parameters.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
         try:
-            profile = make(**found, **fixed)
+            profile = make(**parameters, **fixed)
         except InputError:  # not a valid profile of the kind, such as a middle longer than its circle
             return np.full(len(y), _FAR / scale)
         drop = np.minimum(profile.relief(y - nuisance["shift"]), _FAR)
@@ -280,13 +280,13 @@ def _solved(
         first[names.index("shift")] = 0.5 * (y[0] + y[-1])
     low, high = _limits(names, logs)
     x0 = np.clip(np.array(first), low, high)
-    x0[names.index("offset")] = -scale * float(np.mean(left(x0)))
+    x0[names.index("offset")] = -scale * float(np.mean(residuals(x0)))
     sizes = {"offset": scale, "shift": 0.01 * float(np.ptp(y)), "radius": 0.1 * abs(free.get("radius", 1.0))}
     steps = np.where(logs, 0.1, [sizes.get(n, 1e-4) for n in names])
     # Parameters without effect cause divisions by zero on the way, and show in their standard errors.
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         solution = least_squares(
-            left, x0, bounds=(low, high), x_scale=steps, xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200
+            residuals, x0, bounds=(low, high), x_scale=steps, xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200
         )
     return _fitted(kind, values(solution.x), fixed, solution, logs, scale)
 
@@ -301,7 +301,12 @@ def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
 
 
 def _fitted(
-    kind: str, found: dict[str, float], fixed: Mapping[str, float], solution: Any, logs: NDArray[np.bool_], scale: float
+    kind: str,
+    parameters: dict[str, float],
+    fixed: Mapping[str, float],
+    solution: Any,
+    logs: NDArray[np.bool_],
+    scale: float,
 ) -> ProfileFit:
     residual = scale * solution.fun
     count = len(residual) / _correlation_length(residual)
@@ -310,13 +315,14 @@ def _fitted(
     # Mean square over the effective number of points less the parameters; the normal matrix is scaled accordingly.
     sigma = np.sqrt(square / freedom) * _sensitivity(scale * solution.jac)
     sigma[solution.active_mask != 0] = np.inf
-    names = list(found)
+    names = list(parameters)
     errors = {
-        name: float(each * (found[name] if log else 1.0)) for name, each, log in zip(names, sigma, logs, strict=True)
+        name: float(deviation * (parameters[name] if log else 1.0))
+        for name, deviation, log in zip(names, sigma, logs, strict=True)
     }
-    nuisance = {name: found.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
+    nuisance = {name: parameters.pop(name, 0.0) for name in ("offset", "shift", "tilt")}
     fitted = ProfileFit(
-        kind, found | dict(fixed), errors, **nuisance,
+        kind, parameters | dict(fixed), errors, **nuisance,
         rms=float(np.sqrt(square / len(residual))), largest=float(np.max(np.abs(residual))), points=count,
         penalised=0.0,
     )  # fmt: skip
@@ -336,8 +342,8 @@ def _sensitivity(jacobian: Array) -> Array:
     # The derivatives are differences over 1e-8 of a parameter, and about as accurate.
     known = singular > _DERIVATIVES * singular[0]
     unknown = np.any(np.abs(turned[~known]) > np.sqrt(_DERIVATIVES), axis=0)
-    found = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[resolved]
-    sensitivity[resolved] = np.where(unknown, np.inf, found)
+    resolved_sensitivity = np.sqrt(np.sum((turned[known] / singular[known, None]) ** 2, axis=0)) / lengths[resolved]
+    sensitivity[resolved] = np.where(unknown, np.inf, resolved_sensitivity)
     return sensitivity
 
 
@@ -363,7 +369,7 @@ def _correlation_length(residual: Array) -> float:
 
 
 def _known(kind: str) -> tuple[str, ...]:
-    return tuple(name for name, each in PARAMETERS[kind].descriptions.items() if isinstance(each, Quantity))
+    return tuple(name for name, field in PARAMETERS[kind].descriptions.items() if isinstance(field, Quantity))
 
 
 def _junctions(half: float) -> list[tuple[float, ...]]:

@@ -52,25 +52,25 @@ def jumps(points: Points) -> list[SurfaceStep]:
     line = (points.height[-1] - points.height[0]) / points.span * (y - y[0])
     height = despiked(points.height - line)
     at = [np.interp(y + k * half, y, height) for k in (-3, -1, 1, 3)]
-    left, rise, right = np.diff(at, axis=0)
+    before, rise, after = np.diff(at, axis=0)
     reach = 3.0 * half - ROUNDING * points.span
-    excess = np.where((y >= y[0] + reach) & (y <= y[-1] - reach), rise - 0.5 * (left + right), 0.0)
+    excess = np.where((y >= y[0] + reach) & (y <= y[-1] - reach), rise - 0.5 * (before + after), 0.0)
     # One step is felt over six half-chords, which are many of a few points.
     fractions = np.array([_HALF, max(_MOST - 12.0 * half / points.span, _HALF)])
     sigma = np.max(np.quantile(np.abs(excess), fractions) / (math.sqrt(2.0) * erfinv(fractions)))
     least = max(_LEAST_STEP, _CLEAR * float(sigma))
     # In an edge or a curve the rise lies between those beside it.
-    steep = (np.abs(excess) > least) & (np.abs(excess) > np.abs(right - left))
-    found: list[SurfaceStep] = []
+    steep = (np.abs(excess) > least) & (np.abs(excess) > np.abs(after - before))
+    steps: list[SurfaceStep] = []
     for first, last in runs(np.where(steep, np.sign(excess), 0.0).astype(np.int8)):
         middle = float(0.5 * (y[first] + y[last]))
         step = _rise_at(points, middle, half)
         over_chord = float(excess[first + int(np.argmax(np.abs(excess[first : last + 1])))])
         # All of a step lies within one chord, unlike what is only steep there.
         if abs(step) > least and abs(step - over_chord) <= _SLIGHT * abs(step):
-            found.append(SurfaceStep(middle, step, within=True))
+            steps.append(SurfaceStep(middle, step, within=True))
     apart: list[SurfaceStep] = []
-    for one in sorted(found, key=lambda jump: -abs(jump.height)):  # noise may find one twice
+    for one in sorted(steps, key=lambda jump: -abs(jump.height)):  # noise may find one twice
         if all(abs(one.y - other.y) > 2.0 * half for other in apart):
             apart.append(one)
     return [one for one in apart if not any(_are_groove(one, other, points.span) for other in apart)]
@@ -106,16 +106,16 @@ def _rise_at(points: Points, middle: float, half: float) -> float:
 
 def _medians_beside(points: Points, middle: float, gap: float, width: float) -> list[tuple[float, float] | None]:
     """Return medians of position and height in four neighbouring stretches, None for one that was not measured."""
-    found: list[tuple[float, float] | None] = []
+    medians: list[tuple[float, float] | None] = []
     slack = ROUNDING * points.span
     for part in range(4):
         low, high = sorted((middle + gap + part * width, middle + gap + (part + 1) * width))
         inside = slice(*np.searchsorted(points.y, (low - slack, high + slack)))
         if points.y[0] - slack <= low and high <= points.y[-1] + slack and inside.start < inside.stop:
-            found.append((float(np.median(points.y[inside])), float(np.median(points.height[inside]))))
+            medians.append((float(np.median(points.y[inside])), float(np.median(points.height[inside]))))
         else:
-            found.append(None)
-    return found
+            medians.append(None)
+    return medians
 
 
 def _slope(one: tuple[float, float], other: tuple[float, float]) -> float:

@@ -74,15 +74,15 @@ def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, fl
         max((points.y[last] for _, last in others if points.y[last] < low), default=points.y[0]),
         min((points.y[first] for first, _ in others if points.y[first] > high), default=points.y[-1]),
     )
-    found = []
+    ends = []
     for end, bound in zip((low, high), bounds, strict=True):
         if any(min(end, bound) <= wall <= max(end, bound) for wall in walls):
-            found.append(end)  # a step is no corner
+            ends.append(end)  # a step is no corner
             continue
         among = np.flatnonzero((points.y >= min(end, bound)) & (points.y <= max(end, bound)))
         levelled = points.height[among] - level * points.y[among]
-        found.append(float(points.y[among[int(np.argmin(levelled))]]))
-    return found[0], found[1]
+        ends.append(float(points.y[among[int(np.argmin(levelled))]]))
+    return ends[0], ends[1]
 
 
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
@@ -95,7 +95,7 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
     within = [step for step in steps if low < step.y < high and abs(step.height) <= _HIGH_STEP]
     # What makes the two halves less alike when it is taken off was a wave, and none of its steps is one.
     worse = _unlike(points, (low, high), within)[0] > _WORSE * _unlike(points, (low, high), [])[0] + _WORSE_BY
-    found = [] if worse else [step for step in within if abs(step.height) <= _LOW_STEP]
+    distinct = [] if worse else [step for step in within if abs(step.height) <= _LOW_STEP]
     long = [run for run in runs if _is_long(points, run)]
     at_low = [(points.y[run[1]], low) for run in long if points.y[run[1]] < low][-1:]
     at_high = [(high, points.y[run[0]]) for run in long if points.y[run[0]] > high][:1]
@@ -103,8 +103,8 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
         walls = [replace(step, within=False) for step in steps if side * step.y >= side * end]
         walls += [] if walls else [_parting(points, before, behind, level) for before, behind in parted]
         nearest = min(walls, key=lambda step: abs(step.y - 0.5 * (low + high)), default=None)
-        found += [nearest] if nearest is not None and abs(nearest.height) <= _HIGH_STEP else []
-    return tuple(sorted(found, key=lambda step: step.y))
+        distinct += [nearest] if nearest is not None and abs(nearest.height) <= _HIGH_STEP else []
+    return tuple(sorted(distinct, key=lambda step: step.y))
 
 
 def _parting(points: Points, before: float, behind: float, level: float) -> SurfaceStep:
@@ -183,8 +183,8 @@ def weighted_median(values: Array, weights: Array) -> float:
 
 def _oddness(points: Points, place: float, distance: Array) -> float:
     """Return the mean square of the odd part about a position, less its best straight line."""
-    left, right = (np.interp(place + side * distance, points.y, points.height) for side in (-1.0, 1.0))
-    odd = 0.5 * (right - left)
+    below, above = (np.interp(place + side * distance, points.y, points.height) for side in (-1.0, 1.0))
+    odd = 0.5 * (above - below)
     slope = float(odd @ distance / (distance @ distance))
     return float(np.mean((odd - slope * distance) ** 2))
 

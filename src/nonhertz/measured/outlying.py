@@ -73,9 +73,9 @@ def _outlying(points: Points, limit: float) -> NDArray[np.bool_]:
     clean = np.flatnonzero(side == 0)
     out = np.zeros(len(points), dtype=bool)
     for first, last in runs(side):
-        found = _off_base(points, clean, first, last, float(side[first]) * limit)
-        if found is not None:
-            out[found] = True
+        strays = _off_base(points, clean, first, last, float(side[first]) * limit)
+        if strays is not None:
+            out[strays] = True
     return out
 
 
@@ -147,9 +147,9 @@ def _off_base(points: Points, clean: NDArray[np.intp], first: int, last: int, li
         if _width(points, *grown) > _widest(points) and grown[1] > grown[0]:
             return None
         if (grown[0], grown[1]) == (first, last):
-            found = near[(near >= first) & (near <= last) & (off > 1.0)]
+            strays = near[(near >= first) & (near <= last) & (off > 1.0)]
             most = float(np.max(np.abs(above)[off > 1.0], initial=0.0))
-            return found if _begins_at_once(points, first, last, most) else None
+            return strays if _begins_at_once(points, first, last, most) else None
         first, last = int(min(first, grown[0])), int(max(last, grown[1]))
     return None
 
@@ -170,12 +170,12 @@ def _from_base(
 ) -> tuple[Array, float]:
     """Return how far points lie above the base line of a run, and the scatter of the surface beside the run."""
     beside = min(max(last - first + 1, _FEWEST_BESIDE), _MOST_BESIDE)
-    left = clean[: np.searchsorted(clean, first)]
-    right = clean[np.searchsorted(clean, last, side="right") :]
-    if len(left) >= _FEWEST_BESIDE and len(right) >= _FEWEST_BESIDE:
-        sides = left[-beside:], right[:beside]
+    before = clean[: np.searchsorted(clean, first)]
+    after = clean[np.searchsorted(clean, last, side="right") :]
+    if len(before) >= _FEWEST_BESIDE and len(after) >= _FEWEST_BESIDE:
+        sides = before[-beside:], after[:beside]
     else:
-        one = left if len(left) > len(right) else right[::-1]
+        one = before if len(before) > len(after) else after[::-1]
         beside = min(beside, len(one) // 2)
         sides = one[len(one) - 2 * beside : len(one) - beside], one[len(one) - beside :]
     if min(map(len, sides)) == 0:

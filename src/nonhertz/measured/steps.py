@@ -215,15 +215,17 @@ class Trim(Input):
         numbers = {"low": float(after.y[0]), "high": float(after.y[-1]), "removed": float(np.sum(~inside))}
         if ends is not None:
             numbers |= {"land_low": ends[0], "land_high": ends[1]}
-            found = []
+            corners_found = []
             for name, corner, at_end in zip(("low", "high"), after.beyond_land, (0, -1), strict=True):
                 if np.any(corner):
                     width = abs(float(after.y[at_end] - after.on_land.y[at_end]))
                     depth = float(after.on_land.height[at_end] - after.height[at_end])
                     numbers |= {f"width_{name}": width, f"depth_{name}": depth}
-                    found.append(f"{name} end {mm(width):.2g} wide, {um(depth):.3g} deep")
-            corners = "corners" if len(found) > 1 else "corner"
-            words = f"Land from {mm(*ends, between=' to '):.5g}, {corners} kept: {'; '.join(found)}{lost or '.'}"
+                    corners_found.append(f"{name} end {mm(width):.2g} wide, {um(depth):.3g} deep")
+            corners = "corners" if len(corners_found) > 1 else "corner"
+            words = (
+                f"Land from {mm(*ends, between=' to '):.5g}, {corners} kept: {'; '.join(corners_found)}{lost or '.'}"
+            )
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
 
 

@@ -62,7 +62,7 @@ def between(solution: PatchSolution, gap: Gap) -> Unseen:
     linear = [
         interpolation(np.clip(places, 0.0, n - 1.0), n, 2) for places, n in zip(parts, solution.cells, strict=True)
     ]
-    x, y = (centres_of_parts(each, side) for each, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
+    x, y = (centres_of_parts(centres, side) for centres, side in ((solution.x, solution.dx), (solution.y, solution.dy)))
     from scipy import ndimage, sparse
 
     around = np.ones((3, 3))

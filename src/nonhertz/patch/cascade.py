@@ -43,12 +43,12 @@ class PatchProblem:
     ----------
     gap : Surface
         The bodies and their undeformed gap.
-    given : Prescription
+    prescribed : Prescription
         What is prescribed.
     """
 
     gap: Surface
-    given: Prescription
+    prescribed: Prescription
 
     @property
     def contact(self) -> Contact:
@@ -68,14 +68,14 @@ class PatchProblem:
         InputError
             If the grid is not rough and its cells cannot carry the moment.
         """
-        first, second = self.given.target(self.contact.compliance)
-        by_force, area = self.given.by_force, grid.dx * grid.dy
+        first, second = self.prescribed.target(self.contact.compliance)
+        by_force, area = self.prescribed.by_force, grid.dx * grid.dy
         if by_force[1]:
             rows = grid.y[np.isfinite(undeformed).any(axis=0)]
             low, high = float(rows[0]), float(rows[-1])
             if not rough:
                 where = "the centres of the outermost cells that can bear a pressure"
-                refuse_beyond(self.given, (low, high), where, "give more cells along or a larger region")
+                refuse_beyond(self.prescribed, (low, high), where, "give more cells along or a larger region")
             elif by_force[0]:
                 # A coarse grid may have no cell that far out.
                 middle, reach = 0.5 * (low + high), max(0.5 * (high - low) - WITHIN * grid.dy, 0.0)
@@ -87,7 +87,7 @@ class PatchProblem:
         return Task(undeformed, convolution, inverse, grid.y, by_force, target)
 
 
-def refuse_beyond(given: Prescription, arms: Span, where: str, remedy: str, bearing: Span | None = None) -> None:
+def refuse_beyond(prescription: Prescription, arms: Span, where: str, remedy: str, bearing: Span | None = None) -> None:
     """Refuse a moment that no pressure between two lever arms [mm] can produce.
 
     ``where`` says what they are; only the signs of those of ``bearing``, if they are others, have to be right.
@@ -96,7 +96,7 @@ def refuse_beyond(given: Prescription, arms: Span, where: str, remedy: str, bear
     ------
     InputError
     """
-    moment, arm = given.moment, given.arm
+    moment, arm = prescription.moment, prescription.arm
     between = f"between {mm(*arms, between=' and '):.6g}, {where}"
     if arm is not None and not arms[0] <= arm <= arms[1]:
         raise InputError("moment", moment, f"keep moment / load = {mm(arm):.6g} {between}", f"reduce it, or {remedy}")
@@ -147,11 +147,11 @@ def solve_on(
         If the grid is not rough and no cell has a body; on a rough one nothing touches then.
     """
     pressure, rigid, levels, count = None, (0.0, 0.0), [], 0
-    for each in (*reversed(list(grid.coarser())), grid):
-        finest, undeformed = each is grid, problem.gap(*each.centres)
+    for level in (*reversed(list(grid.coarser())), grid):
+        finest, undeformed = level is grid, problem.gap(*level.centres)
         if np.isfinite(undeformed).any():
-            task = problem.task(each, undeformed, pool, rough or not finest)
-            pressure = task.start() if pressure is None else refined(pressure, each.cells)
+            task = problem.task(level, undeformed, pool, rough or not finest)
+            pressure = task.start() if pressure is None else refined(pressure, level.cells)
             state = settle(task, pressure, rigid, tolerance if finest else max(tolerance, ROUGHLY))
             pressure, rigid, count = state.pressure, state.rigid, task.displacement.count
         elif not finest:
@@ -161,9 +161,9 @@ def solve_on(
         else:
             remedy = "give more cells, or a region around the place where it is"
             raise InputError("gap", np.inf, "be finite at the centre of at least one cell", remedy)
-        loads = state.pressure.sum(axis=0) * each.dx * each.dy
-        along = each.y, state.pressure.max(axis=0), half_widths(state.pressure, each.dx)
-        levels.append(GridLevel(each.cells, *state.rigid, float(loads.sum()), float(loads @ each.y), along))
+        loads = state.pressure.sum(axis=0) * level.dx * level.dy
+        along = level.y, state.pressure.max(axis=0), half_widths(state.pressure, level.dx)
+        levels.append(GridLevel(level.cells, *state.rigid, float(loads.sum()), float(loads @ level.y), along))
     return Outcome(grid, state, count, tuple(levels))
 
 
@@ -182,10 +182,10 @@ def halved(
         cells = -(-cells[0] // 2), -(-cells[1] // 2)
         known = [level for level in outcome.levels if level.cells == cells]
         if not known:
-            found = solve_on(problem, replace(outcome.grid, cells=cells), max(tolerance, ROUGHLY), pool, rough=True)
-            if found.state.status is not Status.CONVERGED or not found.state.pressure.any():
+            coarser = solve_on(problem, replace(outcome.grid, cells=cells), max(tolerance, ROUGHLY), pool, rough=True)
+            if coarser.state.status is not Status.CONVERGED or not coarser.state.pressure.any():
                 break
-            known = [found.levels[-1]]
+            known = [coarser.levels[-1]]
         levels.append(known[0])
     return tuple(reversed(levels))
 
@@ -196,6 +196,6 @@ def refined(pressure: Array, cells: tuple[int, int]) -> Array:
     The footprint comes out somewhat too large, which is the safe side: cells leave it more readily than they enter.
     """
     places = [(np.arange(new) + 0.5) * (old / new) - 0.5 for old, new in zip(pressure.shape, cells, strict=True)]
-    across, along = (interpolation(each, old, 2) for each, old in zip(places, pressure.shape, strict=True))
+    across, along = (interpolation(positions, old, 2) for positions, old in zip(places, pressure.shape, strict=True))
     finer: Array = np.maximum(across @ pressure @ along.T, 0.0)
     return finer

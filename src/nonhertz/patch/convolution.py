@@ -87,8 +87,8 @@ class Convolution:
         waves = fft.rfft(loads, count, axis=0)
         # Real matrices: products of real and imaginary parts are half those of complex numbers.
         moved = spectrum @ np.stack([waves.real, waves.imag], axis=-1)
-        found: Array = fft.irfft(moved[..., 0] + 1j * moved[..., 1], count, axis=0)[: loads.shape[0]]
-        return found
+        displacement: Array = fft.irfft(moved[..., 0] + 1j * moved[..., 1], count, axis=0)[: loads.shape[0]]
+        return displacement
 
     def _kernel(self, of: Callable[[Array], Array], shape: tuple[int, ...]) -> Array:
         """Return a kernel at distances from x = 0 across, of given shape at each, from what it is between edges."""

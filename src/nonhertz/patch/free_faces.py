@@ -69,8 +69,10 @@ class FreeEnd:
         """
         count = self.nodes.size
         row, column = np.tril_indices(count)
-        found = np.empty((x_edges.size - 1, count, count))
-        found[:, row, column] = found[:, column, row] = self.pairwise(x_edges, self.nodes[row], self.nodes[column])
+        displacement = np.empty((x_edges.size - 1, count, count))
+        displacement[:, row, column] = displacement[:, column, row] = self.pairwise(
+            x_edges, self.nodes[row], self.nodes[column]
+        )
         # Between the first cells it is averaged over that of the load.
         point, share = legendre.leggauss(POINTS)
         u = self.nodes[:NEAR]
@@ -78,8 +80,8 @@ class FreeEnd:
         places, loads = np.broadcast_arrays(u[:, None, None], v)
         sampled = self.pairwise(x_edges, places.ravel(), loads.ravel()).reshape(-1, *places.shape)
         averaged = 0.5 * sampled @ share
-        found[:, : u.size, : u.size] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
-        return found
+        displacement[:, : u.size, : u.size] = 0.5 * (averaged + averaged.transpose(0, 2, 1))
+        return displacement
 
     def pairwise(self, x_edges: Array, u: Array, v: Array) -> Array:
         """Return the kernel for pairs of distances from the face, shape (m, pairs)."""
@@ -130,14 +132,14 @@ def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd
     dy : float
         Length of a cell [mm].
     """
-    found = []
+    ends = []
     faces = merged(faces)
     for place, side in dict.fromkeys((face.y, face.side) for face in faces):
         nearest = float(y[0] if side < 0 else y[-1])
         nodes, weights = _nodes(max(side * (place - nearest) - 0.5 * dy, 0.0), dy, y.size)
         here = tuple(face for face in faces if (face.y, face.side) == (place, side))
-        found.append(FreeEnd(here, dy, nodes, weights if side < 0 else weights[::-1]))
-    return tuple(found)
+        ends.append(FreeEnd(here, dy, nodes, weights if side < 0 else weights[::-1]))
+    return tuple(ends)
 
 
 def most_nodes(count: int) -> int:
@@ -160,7 +162,7 @@ def at_points(faces: tuple[FreeSide, ...], x: Array, y: Array, x_force: Array, y
     squared = np.square(x[:, None] - x_force)
     total = np.zeros(squared.shape)
     for face in faces:
-        u, v = (np.maximum(face.side * (face.y - each), 0.0) for each in (y, y_force))
+        u, v = (np.maximum(face.side * (face.y - position), 0.0) for position in (y, y_force))
         for distance, of_image, of_plane in face_terms((face,), *np.broadcast_arrays(u[:, None], v)):
             away = squared + distance**2
             total += of_image / np.sqrt(away) + of_plane * distance / away
@@ -169,8 +171,8 @@ def at_points(faces: tuple[FreeSide, ...], x: Array, y: Array, x_force: Array, y
 
 def face_terms(faces: tuple[FreeSide, ...], u: Array, v: Array) -> Iterator[tuple[Array, Array, Array]]:
     """Yield distances [mm], and the factors of 1 / r and of distance / r^2 there, r^2 = x^2 + distance^2."""
-    for each in faces:
-        face = free_face(each.poisson)
-        of_direction = each.share * face.towards(u, v)
+    for face_of_body in faces:
+        face = free_face(face_of_body.poisson)
+        of_direction = face_of_body.share * face.towards(u, v)
         for j, ratio in enumerate(face.distances):
             yield ratio * (u + v), of_direction[..., 0, j], of_direction[..., 1, j] / math.pi

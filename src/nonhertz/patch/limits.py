@@ -58,7 +58,7 @@ def error_estimate(
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(*[math.inf] * 5)
-    by_load, pressure = problem.given.by_force[0], solution.max_pressure
+    by_load, pressure = problem.prescribed.by_force[0], solution.max_pressure
     before_touch = solution.approach - solution.penetration
     beyond_touch = [level.approach - before_touch for level in levels]
     lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
@@ -76,8 +76,8 @@ def error_estimate(
         max_pressure=math.inf
         if unlimited
         else max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
-        moment=0.0 if problem.given.by_force[1] else _change(turned, whole=levels[-1].load * reach),
-        tilt=_change(leaned, whole=solution.penetration) if problem.given.by_force[1] else 0.0,
+        moment=0.0 if problem.prescribed.by_force[1] else _change(turned, whole=levels[-1].load * reach),
+        tilt=_change(leaned, whole=solution.penetration) if problem.prescribed.by_force[1] else 0.0,
     )
 
 
@@ -101,13 +101,13 @@ def _change(values: list[float], margin: float = MARGIN, whole: float | None = N
 def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[Finding, ...]:
     """Return every way in which the result leaves the model's validity."""
     touching, contact = solution.footprint.any(axis=0), solution.contact
-    found = [*image_weights(influence.ends)]
+    checks = [*image_weights(influence.ends)]
     if touching.any():
         y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
         mean = solution.load / (float(solution.footprint.sum()) * solution.dx * solution.dy)
         ratio = float(np.max(half_width * sharper_curvature(contact, y)))
-        found += [curved(ratio), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
-    return (*_cut_off(solution, grid), *(each for check in found for each in check.findings))
+        checks += [curved(ratio), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
+    return (*_cut_off(solution, grid), *(finding for check in checks for finding in check.findings))
 
 
 def overlaps(beyond: Overlap | None, between: Unseen, largest: float) -> Iterator[Finding]:

@@ -82,13 +82,13 @@ def windows(surface: Surface, width: float, reach: float) -> tuple[Window, ...]:
     """Return where to sample bodies for a contact about 2 ``width`` wide."""
     interval = surface.contact.interval
     y = np.linspace(*interval, ALONG) if np.all(np.isfinite(interval)) else _spread(width, 1e4 * width + reach)
-    found = [Window(_spread(width, reach), np.unique(np.clip(np.append(y, 0.0), *interval)))]
+    near_edges = [Window(_spread(width, reach), np.unique(np.clip(np.append(y, 0.0), *interval)))]
     for dent in surface.features:
         if isinstance(dent, Dent):
             half = 0.5 * float(dent.shoulder_diameter or dent.diameter)
             x, y = (np.linspace(middle - half, middle + half, OVER_DENT) for middle in (dent.x, dent.y))
-            found.append(Window(x, np.unique(np.clip(y, *interval))))
-    return tuple(found)
+            near_edges.append(Window(x, np.unique(np.clip(y, *interval))))
+    return tuple(near_edges)
 
 
 def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
@@ -115,7 +115,7 @@ def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
 
 def lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
     """Return the lowest place, refined from the lowest sample."""
-    place, window = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda found: found[0].value)
+    place, window = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda sample: sample[0].value)
     for _ in range(MOST_CLOSER):
         closer, window = _lowest_sample(gap, tilt, window)
         place = closer if closer.value < place.value else place
@@ -162,12 +162,12 @@ def finite_rows(gap: Gap, several: Iterable[Window]) -> tuple[Array, Span]:
     """
     rows = [(window.y, np.isfinite(window.of(gap, 0.0)).any(axis=0)) for window in several]
     sampled = np.unique(np.concatenate([y for y, _ in rows]))
-    found = np.unique(np.concatenate([y[known] for y, known in rows]))
-    if not found.size:
+    rows_known = np.unique(np.concatenate([y[known] for y, known in rows]))
+    if not rows_known.size:
         remedy = "let it return a gap in mm near x = 0, y = 0, or give a region around the place where it does"
         raise InputError("gap", np.inf, "be finite somewhere", remedy)
-    first, last = np.searchsorted(sampled, found[[0, -1]])
-    return found, (float(sampled[max(first - 1, 0)]), float(sampled[min(last + 1, sampled.size - 1)]))
+    first, last = np.searchsorted(sampled, rows_known[[0, -1]])
+    return rows_known, (float(sampled[max(first - 1, 0)]), float(sampled[min(last + 1, sampled.size - 1)]))
 
 
 def least_held(gap: Gap, window: Window) -> float:
@@ -188,20 +188,20 @@ def least_held(gap: Gap, window: Window) -> float:
 
 
 def overlap(
-    problem: PatchProblem, outcome: Outcome, several: Iterable[Window], *, smooth: bool, given: bool = False
+    problem: PatchProblem, outcome: Outcome, several: Iterable[Window], *, smooth: bool, region_given: bool = False
 ) -> Overlap | None:
     """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
 
     The pressure is first replaced by point forces on lumps of cells; for suspects, by uniform pressure on smaller ones.
     Close to the border only large overlaps count, and none of ``smooth`` bodies, which would overlap within it as well;
-    a region ``given`` by the user tolerates a larger overlap.
+    a region given (``region_given``) by the user tolerates a larger overlap.
     """
     grid, state, surface = outcome.grid, outcome.state, problem.gap
     if not state.pressure.any():
         return None
     largest = outcome.largest_displacement(surface(*grid.centres))
-    found: list[Overlap] = []
-    least, margin = CLEAR if given else SEEN, NEAR if smooth else 0.0
+    overlaps: list[Overlap] = []
+    least, margin = CLEAR if region_given else SEEN, NEAR if smooth else 0.0
     coarse, (terms, faces) = _lumps(grid, state.pressure), (problem.influence.terms, merged(problem.influence.faces))
     images = terms[(terms[:, :2] != (1.0, 0.0)).any(axis=1)]
     for window in several:
@@ -211,33 +211,33 @@ def overlap(
             continue
         x, y = window.x[at[:, 0]], window.y[at[:, 1]]
         gap = gap[tuple(at.T)]
-        left = gap + _raised(terms, (), coarse, x, y)
+        separation = gap + _raised(terms, (), coarse, x, y)
         # Free faces only raise more, and take longer.
-        suspects = np.flatnonzero(left < SUSPECT * largest)
-        left[suspects] += _raised(terms[:0], faces, coarse, x[suspects], y[suspects])
-        chosen = _chosen(at, left, suspects[left[suspects] < SUSPECT * largest])
+        suspects = np.flatnonzero(separation < SUSPECT * largest)
+        separation[suspects] += _raised(terms[:0], faces, coarse, x[suspects], y[suspects])
+        chosen = _chosen(at, separation, suspects[separation[suspects] < SUSPECT * largest])
         at, x, y = at[chosen], x[chosen], y[chosen]
-        left = gap[chosen] + _raised(images, faces, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
+        separation = gap[chosen] + _raised(images, faces, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
         far = _outside(window, grid, NEAR)
-        for i, j, depth in zip(*at.T, -left, strict=True):
+        for i, j, depth in zip(*at.T, -separation, strict=True):
             if depth > (least if far[i, j] else SEEN_NEAR) * largest:
                 around = _neighbours(window.x, i), _neighbours(window.y, j)
-                found.append(Overlap(float(window.x[i]), float(window.y[j]), float(depth), *around))
-    if not found:
+                overlaps.append(Overlap(float(window.x[i]), float(window.y[j]), float(depth), *around))
+    if not overlaps:
         return None
-    deepest = max(found, key=lambda each: each.depth)
-    x_span = min(each.x_span[0] for each in found), max(each.x_span[1] for each in found)
-    y_span = min(each.y_span[0] for each in found), max(each.y_span[1] for each in found)
+    deepest = max(overlaps, key=lambda candidate: candidate.depth)
+    x_span = min(candidate.x_span[0] for candidate in overlaps), max(candidate.x_span[1] for candidate in overlaps)
+    y_span = min(candidate.y_span[0] for candidate in overlaps), max(candidate.y_span[1] for candidate in overlaps)
     return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
 
 
-def _chosen(at: NDArray[np.intp], left: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
+def _chosen(at: NDArray[np.intp], separation: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return the suspects to examine: the lowest, and the outermost, which decide how far the region must extend."""
     if suspects.size <= MOST_SUSPECTS:
         return suspects
     most = MOST_SUSPECTS // 2, MOST_SUSPECTS // 8
     x, y = at[suspects].T
-    several = [np.argsort(left[suspects])[: most[0]]]
+    several = [np.argsort(separation[suspects])[: most[0]]]
     several += [
         order[part] for order in (np.argsort(x), np.argsort(y)) for part in (np.s_[: most[1]], np.s_[-most[1] :])
     ]
@@ -318,7 +318,7 @@ def _raised(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y
 def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
     """Return the displacement at places without images, under uniform pressure on small lumps, shape (places,)."""
     starts = _starts(grid, SMALL_LUMPS)
-    x_at, y_at = (np.append(each, n) for each, n in zip(starts, grid.cells, strict=True))
+    x_at, y_at = (np.append(start, n) for start, n in zip(starts, grid.cells, strict=True))
     mean = np.add.reduceat(np.add.reduceat(pressure, starts[0], axis=0), starts[1], axis=1)
     mean /= np.diff(x_at)[:, None] * np.diff(y_at)
     x_edges, y_edges = grid.x_span[0] + grid.dx * x_at, grid.y_edges[y_at]

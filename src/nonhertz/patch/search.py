@@ -56,14 +56,14 @@ class Search:
         return self.problem.contact
 
     @property
-    def given(self) -> Prescription:
+    def prescribed(self) -> Prescription:
         """What is prescribed."""
-        return self.problem.given
+        return self.problem.prescribed
 
     @property
     def tilt(self) -> float:
         """The prescribed tilt [rad], zero if there is none."""
-        return self.given.tilt or 0.0
+        return self.prescribed.tilt or 0.0
 
     @property
     def gap_given(self) -> bool:
@@ -85,7 +85,7 @@ class Search:
     @property
     def own_gap(self) -> bool:
         """Whether the gap is that of the bodies with dents alone, which has no bumps that are not known."""
-        return not self.gap_given and all(isinstance(each, Dent) for each in self.problem.gap.features)
+        return not self.gap_given and all(isinstance(feature, Dent) for feature in self.problem.gap.features)
 
     def windows(self, grid: Grid | None = None) -> Iterator[Window]:
         """Yield where the gap is sampled: along the bodies, and one that may have bumps also around the region.
@@ -104,7 +104,7 @@ class Search:
     def width(self) -> float:
         """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
         radius, (low, high) = self.radius, self.contact.interval
-        load, approach = self.given.load, self.given.approach
+        load, approach = self.prescribed.load, self.prescribed.approach
         if approach is not None:
             scale = min(radius, FLAT_REACH)
             guess = math.sqrt(2.0 * scale * abs(approach))
@@ -136,10 +136,10 @@ class Search:
         InputError
         """
         lowest = self._lowest(windows)
-        needed, approach = lowest.value, self.given.approach
-        if self.given.moment is not None:
+        needed, approach = lowest.value, self.prescribed.approach
+        if self.prescribed.moment is not None:
             # Tilting can produce any nonzero moment, but zero moment needs an approach at which no tilt separates them.
-            needed = -math.inf if self.given.moment != 0.0 else nearness.least_held(self.problem.gap, windows[0])
+            needed = -math.inf if self.prescribed.moment != 0.0 else nearness.least_held(self.problem.gap, windows[0])
         needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
         if approach is not None and approach <= needed:
             condition = f"exceed {mm(needed):.6g}, where the bodies begin to touch"
@@ -155,13 +155,13 @@ class Search:
         Overlap or None
             An overlap that could not be included.
         """
-        windows, arm = tuple(self.windows()), self.given.arm
+        windows, arm = tuple(self.windows()), self.prescribed.arm
         grid, towards = self._start(windows)
         if not self.own_gap:
             rows, ends = nearness.finite_rows(self.problem.gap, windows)
             bearing = float(rows[0]), float(rows[-1])
             where = "where the gap is finite"
-            refuse_beyond(self.given, ends, where, "give the region of the contact", bearing)
+            refuse_beyond(self.prescribed, ends, where, "give the region of the contact", bearing)
             if arm is not None:
                 # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
                 at = int(np.searchsorted(rows, arm))
@@ -219,18 +219,18 @@ class Search:
     def _start(self, windows: tuple[Window, ...]) -> tuple[Grid, tuple[float, float]]:
         """Return a grid to begin with, and the place to zoom in on."""
         low, high = interval = self.contact.interval
-        width, approach = self.width(), self.given.approach
+        width, approach = self.width(), self.prescribed.approach
         if approach is not None:
             at = self.refuse_apart(windows)
-            if self.given.moment is None:
+            if self.prescribed.moment is None:
                 spans = nearness.extent(self.problem.gap, self.tilt, approach, at, windows)
                 return Grid(*spans, CELLS, interval), (at.x, at.y)
-        middle, across = float(np.clip(self.given.arm or 0.0, low, high)), 0.0
+        middle, across = float(np.clip(self.prescribed.arm or 0.0, low, high)), 0.0
         if not math.isfinite(self.radius) or not np.isfinite(
             self.problem.gap(np.zeros((1, 1)), np.full((1, 1), middle))
         ):
             at = self._lowest(windows)
-            across, middle = at.x, at.y if self.given.moment is None else middle
+            across, middle = at.x, at.y if self.prescribed.moment is None else middle
         bounded = math.isfinite(high - low)
         y_span = interval if bounded else (max(low, middle - 10.0 * width), min(high, middle + 10.0 * width))
         return Grid((across - 2.0 * width, across + 2.0 * width), y_span, CELLS, interval), (across, middle)
@@ -246,7 +246,7 @@ class Search:
         run = widest_run(outcome.state.pressure > 0.0)
         # The width of a contact only a few cells wide is not resolved.
         if run.max() >= LEAST_RUN:
-            refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL, self.given.pressed)
+            refuse_thin_bodies(self.contact, HERTZ, grid.y, 0.5 * grid.dx * run, LEAST_OF_ALL, self.prescribed.pressed)
         self._refuse_spans(grid)
 
     def _refuse_spans(self, grid: Grid) -> None:
@@ -262,4 +262,4 @@ class Search:
             raise InputError("length", None, "be given where nothing else ends the contact", remedy)
         if wide:
             condition = f"keep the contact narrower than {MOST_RADII:g} radii of the bodies"
-            raise InputError(*self.given.pressed, condition, "reduce it")
+            raise InputError(*self.prescribed.pressed, condition, "reduce it")

@@ -123,10 +123,10 @@ class _ActiveSet:
 
     def __init__(self, task: Task, pressure: Array, rigid: tuple[float, float]) -> None:
         self.task = task
-        given = [c for c in (0, 1) if task.by_force[c]]
-        self.given = given
-        self.levers = np.stack([np.ones_like(task.y), task.y])[given]
-        self.target = np.array(task.target)[given]
+        prescribed = [c for c in (0, 1) if task.by_force[c]]
+        self.prescribed = prescribed
+        self.levers = np.stack([np.ones_like(task.y), task.y])[prescribed]
+        self.target = np.array(task.target)[prescribed]
         self.rigid = np.where(task.by_force, rigid, task.target)
         # The start was interpolated from coarser cells, some of which had a body where these have none.
         self.pressure = np.where(task.bearing, np.maximum(pressure, 0.0), 0.0)
@@ -205,7 +205,7 @@ class _ActiveSet:
         inverse, touching = self.task.inverse, self.touching
         self.responses = [inverse(touching * lever) * touching for lever in self.levers]
         forces = [self._forces(response) for response in self.responses]
-        self.stiffness = np.array(forces).reshape(len(self.given), len(self.given))
+        self.stiffness = np.array(forces).reshape(len(self.prescribed), len(self.prescribed))
 
     def _widen(self) -> bool:
         """Add the rows on either side of those in contact, or all cells with a body if that adds none.
@@ -253,7 +253,7 @@ class _ActiveSet:
         correction = self.task.inverse(self._overlap())
         correction *= self.touching
         for c, amount, response in zip(
-            self.given, self._multipliers(self._forces(correction)), self.responses, strict=True
+            self.prescribed, self._multipliers(self._forces(correction)), self.responses, strict=True
         ):
             correction -= amount * response
             self.rigid[c] -= amount

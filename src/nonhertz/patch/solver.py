@@ -159,27 +159,29 @@ def solve(
     unseen, largest = between(solution, surface), outcome.largest_displacement(surface(*outcome.grid.centres))
     estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
     solution = replace(solution, error_estimate=estimate)
-    found = (
+    findings = (
         *strains(solution, problem.influence, outcome.grid),
         *overlaps(overlap, unseen, largest),
         *uncertain(solution, largest),
         *unresolved(surface.features, solution.dx, solution.dy),
     )
-    warn(found)
+    warn(findings)
     rolls_on = surface.changes_across(*outcome.grid.centres)
-    return replace(solution, findings=(*found, *singularities(solution)), rolls_on=rolls_on)
+    return replace(solution, findings=(*findings, *singularities(solution)), rolls_on=rolls_on)
 
 
 def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
     """Solve in a given region, and return the overlap that it leaves out."""
-    if search.given.load is None:
+    if search.prescribed.load is None:
         within = Window(np.linspace(*grid.x_span, ACROSS), np.linspace(*grid.y_span, nearness.ALONG))
         search.refuse_apart((within,))
     outcome = solve_on(search.problem, grid, tolerance, pool)
     # A contact that is cut off continues beyond the region; the warning about the border says so.
     if np.any(grid.cut(outcome.state.pressure > 0.0)):
         return outcome, None
-    return outcome, nearness.overlap(search.problem, outcome, search.windows(grid), smooth=search.own_gap, given=True)
+    return outcome, nearness.overlap(
+        search.problem, outcome, search.windows(grid), smooth=search.own_gap, region_given=True
+    )
 
 
 def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:

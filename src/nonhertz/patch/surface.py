@@ -63,12 +63,12 @@ def refuse_no_bodies(contact: object) -> None:
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
 
 
-def positions(name: str, given: ArrayLike) -> Array:
+def positions(name: str, values: ArrayLike) -> Array:
     """Return positions as an array of floats, or refuse them."""
-    found = np.asarray(given)
-    if found.dtype.kind not in "fiu":
-        raise InputError(name, given, "be numbers", "give positions in mm")
-    return np.asarray(found, dtype=float)
+    numbers = np.asarray(values)
+    if numbers.dtype.kind not in "fiu":
+        raise InputError(name, values, "be numbers", "give positions in mm")
+    return np.asarray(numbers, dtype=float)
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,8 +100,8 @@ class Surface:
         else:
             several = tuple(features)
         surface = cls(contact, gap, several)
-        for name, each in surface.parts():
-            _refuse_uncallable(name, each)
+        for name, part in surface.parts():
+            _refuse_uncallable(name, part)
         return surface
 
     def parts(self) -> list[tuple[str, Feature]]:
@@ -111,8 +111,8 @@ class Surface:
 
     def changes_across(self, x: Array, y: Array) -> bool:
         """Return whether a feature's relief changes with x of shape (nx, 1) at y of shape (1, ny)."""
-        reliefs = (_returned("features", each, x, y) for each in self.features)
-        return any(bool(np.any(np.abs(each - each[:1]) > ALIKE * np.max(np.abs(each)))) for each in reliefs)
+        reliefs = (_returned("features", feature, x, y) for feature in self.features)
+        return any(bool(np.any(np.abs(relief - relief[:1]) > ALIKE * np.max(np.abs(relief)))) for relief in reliefs)
 
     def __call__(self, x: Array, y: Array) -> Array:
         """Return the gap at x of shape (nx, 1) and y of shape (1, ny), of shape (nx, ny).
@@ -126,37 +126,37 @@ class Surface:
         total: Array = np.zeros(shape)
         if self.gap is None:
             total += undeformed_gap(self.contact, x, y)
-        for name, each in self.parts():
-            total += _returned(name, each, x, y)
+        for name, part in self.parts():
+            total += _returned(name, part, x, y)
         return total
 
 
-def _refuse_uncallable(name: str, each: object) -> None:
-    if not callable(each):
-        raise InputError(name, each, "be callable with x and y", _CALLABLE)
-    if isinstance(each, type):
-        raise InputError(name, each, "be callable with x and y, not a class", f"make one: {each.__name__}(...)")
+def _refuse_uncallable(name: str, part: object) -> None:
+    if not callable(part):
+        raise InputError(name, part, "be callable with x and y", _CALLABLE)
+    if isinstance(part, type):
+        raise InputError(name, part, "be callable with x and y, not a class", f"make one: {part.__name__}(...)")
     try:
-        signature = inspect.signature(each)
+        signature = inspect.signature(part)
     except ValueError:  # compiled functions may have no signature
         return
     try:
         signature.bind(0.0, 0.0)
     except TypeError:
-        raise InputError(name, each, "be callable with x and y", _CALLABLE) from None
+        raise InputError(name, part, "be callable with x and y", _CALLABLE) from None
 
 
 def _returned(name: str, function: Feature, x: Array, y: Array) -> Array:
     """Return the values of a user function, refusing anything but a number for every place."""
     answer = function(x, y)
     try:
-        found = np.asarray(answer)
-        spread = np.broadcast_to(found, np.broadcast_shapes(x.shape, y.shape))
+        heights = np.asarray(answer)
+        spread = np.broadcast_to(heights, np.broadcast_shapes(x.shape, y.shape))
     except ValueError:
         raise InputError(name, function, "return the broadcast shape of x and y", _RETURN) from None
-    if found.dtype.kind not in "fiu":
-        raise InputError(name, function, f"return real numbers, not {found.dtype.name}", _RETURN)
-    lowest = found.min(initial=np.inf)
+    if heights.dtype.kind not in "fiu":
+        raise InputError(name, function, f"return real numbers, not {heights.dtype.name}", _RETURN)
+    lowest = heights.min(initial=np.inf)
     if np.isnan(lowest) or lowest == -np.inf:
         i = np.unravel_index(int(np.argmin(np.where(np.isnan(spread), -np.inf, spread))), spread.shape)
         place = f"x = {np.broadcast_to(x, spread.shape)[i]:.6g}, y = {np.broadcast_to(y, spread.shape)[i]:.6g}"

@@ -73,8 +73,8 @@ def in_blocks(work: Callable[[slice], None], count: int, block: int, pool: Execu
     blocks = [slice(start, min(start + block, count)) for start in range(0, count, block)]
 
     def several(part: int) -> None:
-        for each in blocks[part::PARTS]:
-            work(each)
+        for chunk in blocks[part::PARTS]:
+            work(chunk)
 
     # Each task has a scheduling cost: with few parts, threads spend their time on blocks rather than on scheduling.
     for _ in map(several, range(PARTS)) if pool is None else pool.map(several, range(PARTS)):

@@ -35,7 +35,7 @@ ROUNDING, BALANCED = 1e-11, 1e-9
 LAST_DIGITS = 32.0 * float(np.finfo(float).eps)  # of the undeformed gap, which may be far larger than the deformed one
 
 
-def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> str:
+def complaint(solution: PatchSolution, gap: Gap, prescription: Prescription, tolerance: float) -> str:
     """Return a sentence on the first condition that a solution breaks, empty if it meets all of them.
 
     Parameters
@@ -49,10 +49,10 @@ def complaint(solution: PatchSolution, gap: Gap, given: Prescription, tolerance:
     tolerance : float
         Largest residual requested.
     """
-    return next(_complaints(solution, gap, given, tolerance), "")
+    return next(_complaints(solution, gap, prescription, tolerance), "")
 
 
-def _complaints(solution: PatchSolution, gap: Gap, given: Prescription, tolerance: float) -> Iterator[str]:
+def _complaints(solution: PatchSolution, gap: Gap, prescription: Prescription, tolerance: float) -> Iterator[str]:
     # The order matters: each check relies on those before it.
     if not np.isfinite(solution.pressure).all():
         yield "The pressure of a cell is not a finite number."
@@ -62,30 +62,30 @@ def _complaints(solution: PatchSolution, gap: Gap, given: Prescription, toleranc
         yield "The gap of a cell is not a number."
     if (lowest := float(solution.pressure.min())) < 0.0:
         yield f"A cell is in tension, {mpa(-lowest):.3g}."
-    yield from _unbalanced(solution, given, max(tolerance, BALANCED))
+    yield from _unbalanced(solution, prescription, max(tolerance, BALANCED))
     yield from _open_or_overlapping(solution, gap(solution.x[:, None], solution.y[None, :]), tolerance)
 
 
-def _unbalanced(solution: PatchSolution, given: Prescription, allowed: float) -> Iterator[str]:
+def _unbalanced(solution: PatchSolution, prescription: Prescription, allowed: float) -> Iterator[str]:
     """Yield what of load, approach, moment and tilt is not what was prescribed, or not the sum of the cells."""
     area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
     load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))
     pairs = []
-    if given.approach is not None:
-        pairs.append(("approach", "mm", solution.approach, given.approach, 0.0))
-    if given.load is not None:
-        pairs.append(("load", "N", load, given.load, allowed * given.load))
-    if given.moment is None:
-        pairs.append(("tilt", "rad", solution.tilt, given.tilt or 0.0, 0.0))
+    if prescription.approach is not None:
+        pairs.append(("approach", "mm", solution.approach, prescription.approach, 0.0))
+    if prescription.load is not None:
+        pairs.append(("load", "N", load, prescription.load, allowed * prescription.load))
+    if prescription.moment is None:
+        pairs.append(("tilt", "rad", solution.tilt, prescription.tilt or 0.0, 0.0))
     else:
-        pairs.append(("moment", "N mm", moment, given.moment, allowed * max(levers, abs(given.moment))))
+        pairs.append(("moment", "N mm", moment, prescription.moment, allowed * max(levers, abs(prescription.moment))))
     pairs += [
         ("load", "N", solution.load, load, BALANCED * load),
         ("moment", "N mm", solution.moment, moment, BALANCED * levers),
     ]
-    for name, unit, found, required, room in pairs:
-        if not abs(found - required) <= room:
-            yield f"The {name} came to {found:.10g} {unit} instead of {required:.10g} {unit}."
+    for name, unit, value, required, room in pairs:
+        if not abs(value - required) <= room:
+            yield f"The {name} came to {value:.10g} {unit} instead of {required:.10g} {unit}."
 
 
 def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> Iterator[str]:

@@ -37,26 +37,26 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
     ends : iterable of str
         A description of each end of the contact.
     """
-    estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
-    said = [
+    estimate, both = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
+    text = [
         f"{body_line(solution.contact.a)} against {body_line(solution.contact.b)}",
         f"{solution.status.label} on {resolution}",
         _numbers(solution, ("load", "moment", "tilt"), estimate.load),
-        _numbers(solution, ("approach", "penetration") if told else ("approach",), estimate.approach),
+        _numbers(solution, ("approach", "penetration") if both else ("approach",), estimate.approach),
     ]
     if solution.contact_y:
-        said.append(_pressure(solution))
-        said.append(_numbers(solution, ("max_half_width",)))
+        text.append(_pressure(solution))
+        text.append(_numbers(solution, ("max_half_width",)))
         places = ", ".join(f"{mm(*ends, between=' to '):4}" for ends in solution.contact_y)
         named = list(ends)
         alike = len(named) == 2 and len({*named}) == 1
         how = f"both ends {named[0]}" if alike else " and ".join(named)
-        said.append(f"contact along y from {shortened(places)}: {how}")
-        said += map(str, solution.remarks)
+        text.append(f"contact along y from {shortened(places)}: {how}")
+        text += map(str, solution.remarks)
     if solution.warnings:
         more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
-        said.append(f"warning: {shortened(solution.warnings[0])}{more}")
-    return said
+        text.append(f"warning: {shortened(solution.warnings[0])}{more}")
+    return text
 
 
 def _pressure(solution: Solved) -> str:
@@ -68,9 +68,9 @@ def _pressure(solution: Solved) -> str:
 
 def _numbers(solution: Solved, names: tuple[str, ...], error: float = 0.0, where: str = "") -> str:
     spec = worth_reading(error)
-    said = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution, spec)}" for name in names)
+    numbers = ", ".join(f"{QUANTITIES[name].label} {QUANTITIES[name].text(solution, spec)}" for name in names)
     words = error_words(error)
-    return said + where + (f", {words}" if words else "")
+    return numbers + where + (f", {words}" if words else "")
 
 
 def body_line(body: Body) -> str:
@@ -99,12 +99,12 @@ def shortened(text: str) -> str:
     return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
 
 
-def plain_text(name: str, said: list[str]) -> str:
+def plain_text(name: str, items: list[str]) -> str:
     """Return lines under a name, indented."""
-    return "\n".join([name, *(f"  {line}" for line in said)])
+    return "\n".join([name, *(f"  {line}" for line in items)])
 
 
-def drawn(name: str, said: list[str], solution: Solved) -> str:
+def drawn(name: str, texts: list[str], solution: Solved) -> str:
     """Return lines as HTML, below a plot of the pressure along the contact, clipped where it has no limit."""
     y, pressure = solution.y, solution.centre_pressure
     low, span = float(y[0]), float(np.ptp(y)) or 1.0
@@ -113,7 +113,7 @@ def drawn(name: str, said: list[str], solution: Solved) -> str:
         f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - min(value / top, 1.0)):.1f}"
         for place, value in zip(y.tolist(), pressure.tolist(), strict=True)
     )
-    items = "".join(f"<li>{html.escape(line)}</li>" for line in said)
+    items = "".join(f"<li>{html.escape(line)}</li>" for line in texts)
     return (
         f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>'
         f'<svg role="img" aria-label="pressure along the contact" '
@@ -126,8 +126,8 @@ def drawn(name: str, said: list[str], solution: Solved) -> str:
 
 def fields(value: Any) -> str:
     """Return a short repr of a dataclass: shape and range of arrays, the beginning of long values."""
-    said = [f"{field.name}={_field(getattr(value, field.name))}" for field in dataclasses.fields(value) if field.repr]
-    return f"{type(value).__name__}({', '.join(said)})"
+    values = [f"{field.name}={_field(getattr(value, field.name))}" for field in dataclasses.fields(value) if field.repr]
+    return f"{type(value).__name__}({', '.join(values)})"
 
 
 def _field(value: Any) -> str:

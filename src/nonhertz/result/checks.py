@@ -104,27 +104,27 @@ def _long(ratio: float) -> ValidityCheck:
     what, criterion = "Strips across a contact that is long", f"width / length up to {WIDER_THAN_LONG:g}"
     if ratio <= WIDER_THAN_LONG:
         return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG)
-    found = finding(
+    problem = finding(
         "wider-than-long",
         "The contact is wider than long: width / length = {ratio:.2f}, but strips assume a contact longer than it is "
         "wide; expect errors where the contact ends.",
         ratio=ratio,
     )
-    return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (found,), "Expect errors where the contact ends.")
+    return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (problem,), "Expect errors where the contact ends.")
 
 
 def curved(ratio: float) -> ValidityCheck:
     """Return the check that half-widths are small compared with the bodies' radii; ``ratio`` is the largest."""
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"
-    found = finding(
+    problem = finding(
         "wide-for-its-radius",
         "The half-width is {ratio:.2f} of the smaller radius of curvature, over {limit:g}: neither half-spaces nor a "
         "parabolic separation describe such a contact.",
         ratio=ratio,
         limit=MOST_OF_RADIUS,
     )
-    return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (found,) if ratio > MOST_OF_RADIUS else ())
+    return ValidityCheck(what, criterion, ratio, MOST_OF_RADIUS, (problem,) if ratio > MOST_OF_RADIUS else ())
 
 
 def _even(values: core.Checks) -> ValidityCheck:
@@ -135,7 +135,7 @@ def _even(values: core.Checks) -> ValidityCheck:
     if ratio <= MOST_UNEVEN:
         return ValidityCheck(what, criterion, ratio, MOST_UNEVEN)
     share, cost = 100.0 * ratio, 100.0 * MODEL_ERROR * ratio**2
-    found = finding(
+    problem = finding(
         "short-waves",
         "Within a half-width the bodies depart by {departure:.2g} from parabolas, {share:.2g} % of the interference "
         "and over {limit:g} %: such short waves change the pressure across, which strips take as given, and the "
@@ -145,14 +145,14 @@ def _even(values: core.Checks) -> ValidityCheck:
         limit=100.0 * MOST_UNEVEN,
         cost=cost,
     )
-    return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (found,), "Compare with the plane grid.")
+    return ValidityCheck(what, criterion, ratio, MOST_UNEVEN, (problem,), "Compare with the plane grid.")
 
 
 def small_strains(contact: Contact, mean: float) -> ValidityCheck:
     """Return the check that strains under a ``mean`` pressure [MPa] are small."""
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     what, criterion = "Small strains", f"mean pressure up to {MOST_OF_MODULUS:g} of the softer body's modulus"
-    found = finding(
+    problem = finding(
         "large-strains",
         "The mean pressure is {pressure:.3g}, {ratio:.2g} of the softer body's modulus and over {limit:g}: no material "
         "stays elastic under that, and strains are not small; check load and units.",
@@ -161,13 +161,13 @@ def small_strains(contact: Contact, mean: float) -> ValidityCheck:
         limit=MOST_OF_MODULUS,
     )
     is_hard = mean > MOST_OF_MODULUS * softer
-    return ValidityCheck(what, criterion, mean / softer, MOST_OF_MODULUS, (found,) if is_hard else ())
+    return ValidityCheck(what, criterion, mean / softer, MOST_OF_MODULUS, (problem,) if is_hard else ())
 
 
 def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterator[ValidityCheck]:
     """Yield a check for each body with a finite depth that it is thick compared with half-widths [mm] at ``y``."""
     for name, _, ratio in depths(contact, shape, y, half_width):
-        found = finding(
+        problem = finding(
             "thin-body",
             "The depth of body {body} is only {ratio:.2f} half-widths, less than {limit:g}: the body is so thin that "
             "neither half-spaces nor line loads describe it.",
@@ -176,18 +176,18 @@ def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterat
             limit=LEAST_DEPTH,
         )
         what, criterion = f"Body {name} is thick", f"depth of at least {LEAST_DEPTH:g} half-widths"
-        yield ValidityCheck(what, criterion, ratio, LEAST_DEPTH, (found,) if ratio < LEAST_DEPTH else ())
+        yield ValidityCheck(what, criterion, ratio, LEAST_DEPTH, (problem,) if ratio < LEAST_DEPTH else ())
 
 
 def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[tuple[BodyName, Body, float]]:
     """Return name, body and smallest depth in half-widths, where in contact, of each body with a finite depth."""
     touching = half_width > 0.0
-    found = []
+    shallowest = []
     for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
         below = depth_below(body, shape)
         if below is not None and np.any(touching):
-            found.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
-    return found
+            shallowest.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))
+    return shallowest
 
 
 def refuse_thin_bodies(
@@ -220,7 +220,7 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     if not freed:
         return
     heavy = [end for end in freed if end.requested > HEAVIEST]
-    found = tuple(
+    problems = tuple(
         finding(
             "images-too-heavy",
             "The images about the side face at y = {y:.6g} would weigh {weight:.3g} of the surface, including a face "
@@ -235,5 +235,5 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     remark = f"Those about y = {places:.5g} were lowered to a total of 1; only this makes the pressure there finite."
     yield ValidityCheck(
         "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
-        found, remark if heavy else "",
+        problems, remark if heavy else "",
     )  # fmt: skip

@@ -43,11 +43,11 @@ def dataframe(solutions: ManySolved) -> pd.DataFrame:
 def dataset(solutions: ManySolved) -> xr.Dataset:
     """Return a Dataset with a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
     xarray, names = library("xarray", "to_xarray"), _axes(solutions)
-    found: xr.Dataset = xarray.Dataset(
+    data: xr.Dataset = xarray.Dataset(
         {name: (names, column, _attributes(name)) for name, column in _columns(solutions).items()},
         coords={name: range(length) for name, length in zip(names, solutions.shape, strict=True)},
     )
-    return found
+    return data
 
 
 def _axes(solutions: ManySolved) -> list[str]:
@@ -57,8 +57,8 @@ def _axes(solutions: ManySolved) -> list[str]:
 
 def _columns(solutions: ManySolved) -> dict[str, Any]:
     """Return all quantities by name, and which cases have singular ends and which a solution."""
-    found = {name: solutions.column(name) for name in QUANTITIES}
-    return {**found, "singular": solutions.singular, "converged": solutions.converged}
+    columns = {name: solutions.column(name) for name in QUANTITIES}
+    return {**columns, "singular": solutions.singular, "converged": solutions.converged}
 
 
 def _attributes(name: str) -> dict[str, str]:
@@ -66,7 +66,7 @@ def _attributes(name: str) -> dict[str, str]:
     return {} if quantity is None else {"units": quantity.unit, "long_name": quantity.label}
 
 
-def library(name: str, asked: str, extra: str = "data", package: str | None = None) -> Any:
+def library(name: str, caller: str, extra: str = "data", package: str | None = None) -> Any:
     """Return an optional library, imported now.
 
     Parameters
@@ -89,5 +89,5 @@ def library(name: str, asked: str, extra: str = "data", package: str | None = No
         return importlib.import_module(name)
     except ImportError as error:
         raise ImportError(
-            f"{asked} needs {package or name}: install it, or nonhertz with the extra '{extra}'."
+            f"{caller} needs {package or name}: install it, or nonhertz with the extra '{extra}'."
         ) from error

@@ -79,8 +79,8 @@ def fitted_strength(
         strength /= 1.0 + FLARE * (1.0 - kappa)
     # Weighted by their widths, or the many narrow strips next to the end would decide.
     first, second, width = relative[:, 0], relative[:, 1], np.diff(edges[: near + 1])
-    left = width * (1.0 - strength * first)
-    correction = float(left @ second / (width * second @ second)) / strength
+    residual = width * (1.0 - strength * first)
+    correction = float(residual @ second / (width * second @ second)) / strength
     return strength * half_width ** -powers[0], correction * half_width ** (powers[0] - powers[1])
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
-from nonhertz.findings import Finding, finding, said
+from nonhertz.findings import Finding, finding
 from nonhertz.native import core
 from nonhertz.result.edges import EdgeKind, EdgePressure
 from nonhertz.result.end_fit import FIT_REACH, fitted_strength
@@ -30,25 +30,25 @@ LEAST_EXPONENT = 0.1
 AT_ONE_PLACE = 0.01  # of the last strip
 KINDS = tuple(EdgeKind)
 _WORDS = {
-    EdgeKind.RUN_OUT: said("the contact ends before both bodies do"),
-    EdgeKind.CORNER: said("the profile turns away from the other body"),
-    EdgeKind.CUT_OFF: said("the strips end before the contact does"),
+    EdgeKind.RUN_OUT: Finding.from_text("the contact ends before both bodies do"),
+    EdgeKind.CORNER: Finding.from_text("the profile turns away from the other body"),
+    EdgeKind.CUT_OFF: Finding.from_text("the strips end before the contact does"),
 }
 
 
 def edge_pressures(problem: Problem, judged: core.Judgement) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at both ends, without strengths; see `with_strengths`."""
-    found = []
+    pressures = []
     for end, side in zip(judged.ends, (-1, 1), strict=True):
         kind = KINDS[end.kind]
         words = _WORDS.get(kind) or _convention(problem, end.y, side, AT_ONE_PLACE * end.width)
-        found.append(
+        pressures.append(
             EdgePressure(
                 end.y, kind, end.pressure, end.width, end.image_weight, end.exponent, None, None,
                 end.correction_exponent, words,
             )
         )  # fmt: skip
-    return found[0], found[1]
+    return pressures[0], pressures[1]
 
 
 def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
@@ -56,8 +56,8 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
 
     The second is what `nonhertz.bodies.ends.End` calls free.
     """
-    found = [end for end in problem.model.influence.ends if end.side == side and abs(end.y - place) <= reach]
-    return min(sum(end.image_weight for end in found), 1.0), min(sum(end.free for end in found), 1.0)
+    near = [end for end in problem.model.influence.ends if end.side == side and abs(end.y - place) <= reach]
+    return min(sum(end.image_weight for end in near), 1.0), min(sum(end.free for end in near), 1.0)
 
 
 def with_strengths(

@@ -52,10 +52,10 @@ def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: floa
     length : float
         Length of the region that the contact may cover [mm].
     """
-    found = [SingularEnd(y, EdgeKind.SINGULAR) for y in sharp]
+    ends = [SingularEnd(y, EdgeKind.SINGULAR) for y in sharp]
     room = SAME_PLACE * length
-    found += [SingularEnd(y, EdgeKind.CORNER) for y in corners if all(abs(y - end.y) > room for end in found)]
-    return tuple(sorted(found, key=lambda end: end.y))
+    ends += [SingularEnd(y, EdgeKind.CORNER) for y in corners if all(abs(y - end.y) > room for end in ends)]
+    return tuple(sorted(ends, key=lambda end: end.y))
 
 
 def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Array) -> tuple[float, ...]:
@@ -74,8 +74,8 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
         Largest pressure [MPa] and half-width [mm] of each, zero out of contact.
     """
     bends = np.array(contact.bends, dtype=float)
-    found = core.corner_ends(bends, contact.compliance, contact.separation_at, edges, pressure, half_width)
-    return tuple(found)
+    places = core.corner_ends(bends, contact.compliance, contact.separation_at, edges, pressure, half_width)
+    return tuple(places)
 
 
 def ends_in_words(ends: Iterable[SingularEnd]) -> Finding:

@@ -76,9 +76,9 @@ class Gradient(ReadOnly):
     _by_compliance: float
 
     def __repr__(self) -> str:
-        given = ", ".join(f"d/d{name} {value:.6g}" for name, value in self.given.items())
+        derivatives = ", ".join(f"d/d{name} {value:.6g}" for name, value in self.given.items())
         name = self.quantity if isinstance(self.quantity, str) else repr(self.quantity)
-        return f"Gradient(of {name} = {self.value:.6g} at a given {' and '.join(self.holding)}: {given})"
+        return f"Gradient(of {name} = {self.value:.6g} at a given {' and '.join(self.holding)}: {derivatives})"
 
     @cached_property
     def modulus(self) -> tuple[float, float]:
@@ -252,16 +252,25 @@ def gradient(solution: Solution, quantity: str | Measure, holding: tuple[str, st
         [by_p + by_loads, 0.5 * by_p + 0.5 * by_b + by_loads, [partials.by_approach, partials.by_tilt]]
     )
     by_force = holding[0] == "load", holding[1] == "moment"
-    found = at.linear.sensitivities(by_force, derivatives)
+    sensitivities = at.linear.sensitivities(by_force, derivatives)
     compliance = solution.contact.compliance
-    given, by_compliance = {}, -float(by_p.sum() + by_loads.sum()) / compliance
-    for name, force, each in zip(holding, by_force, found[2 * k :].tolist(), strict=True):
-        given[name] = compliance * each if force else each
-        by_compliance += each * getattr(solution, name) if force else 0.0
+    by_prescribed, by_compliance = {}, -float(by_p.sum() + by_loads.sum()) / compliance
+    for name, force, sensitivity in zip(holding, by_force, sensitivities[2 * k :].tolist(), strict=True):
+        by_prescribed[name] = compliance * sensitivity if force else sensitivity
+        by_compliance += sensitivity * getattr(solution, name) if force else 0.0
     relief, curvature = np.zeros(solution.strips), np.zeros(solution.strips)
-    relief[active], curvature[active] = -found[k : 2 * k], found[:k]
+    relief[active], curvature[active] = -sensitivities[k : 2 * k], sensitivities[:k]
     return Gradient(
-        solution, quantity, (holding[0], holding[1]), partials.value, relief, curvature, given, at, found, by_compliance
+        solution,
+        quantity,
+        (holding[0], holding[1]),
+        partials.value,
+        relief,
+        curvature,
+        by_prescribed,
+        at,
+        sensitivities,
+        by_compliance,
     )
 
 
@@ -320,9 +329,9 @@ def family_of(contact: Contact, name: str) -> tuple[Family, float]:
 
 def _names(holder: object) -> dict[str, Any]:
     if dataclasses.is_dataclass(holder) and not isinstance(holder, type):
-        return {each.name: getattr(holder, each.name) for each in dataclasses.fields(holder) if each.init}
+        return {field.name: getattr(holder, field.name) for field in dataclasses.fields(holder) if field.init}
     if isinstance(holder, tuple):
-        return {str(number): each for number, each in enumerate(holder)}
+        return {str(number): item for number, item in enumerate(holder)}
     return {}
 
 

@@ -66,8 +66,8 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     tuple of float
         Pressure, and place [mm].
     """
-    places, found, at = counted(y, pressure, half_width, ends)
-    return float(found.max()), float(places[at])
+    places, pressures, at = counted(y, pressure, half_width, ends)
+    return float(pressures.max()), float(places[at])
 
 
 def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float, float]:

@@ -49,9 +49,9 @@ class Partials:
     by_moment: float = 0.0
 
     @classmethod
-    def of(cls, solution: Solution, value: float, **given: float) -> Partials:
+    def of(cls, solution: Solution, value: float, **motions: float) -> Partials:
         """Return a value that depends on no strip by itself."""
-        return cls(float(value), np.zeros(solution.strips), np.zeros(solution.strips), **given)
+        return cls(float(value), np.zeros(solution.strips), np.zeros(solution.strips), **motions)
 
 
 class Measure(Protocol):
@@ -127,10 +127,10 @@ class PowerIntegral:
         touching = solution.half_width > 0.0
         p, b = solution.centre_pressure[touching], solution.half_width[touching]
         parts = solution.strip_width[touching] * p**self.pressure_power * b**self.half_width_power
-        found = Partials.of(solution, float(parts.sum()))
-        found.by_pressure[touching] = self.pressure_power * parts / p
-        found.by_half_width[touching] = self.half_width_power * parts / b
-        return found
+        integral = Partials.of(solution, float(parts.sum()))
+        integral.by_pressure[touching] = self.pressure_power * parts / p
+        integral.by_half_width[touching] = self.half_width_power * parts / b
+        return integral
 
 
 @dataclass(frozen=True)
@@ -157,9 +157,9 @@ class PressureNorm:
             return Partials.of(solution, 0.0)
         parts = width / width.sum() * (p / most) ** self.power
         value = most * parts.sum() ** (1.0 / self.power)
-        found = Partials.of(solution, value)
-        found.by_pressure[touching] = value * parts / parts.sum() / p
-        return found
+        norm = Partials.of(solution, value)
+        norm.by_pressure[touching] = value * parts / parts.sum() / p
+        return norm
 
 
 @dataclass(frozen=True)
@@ -171,8 +171,8 @@ class _Largest:
     def partials(self, solution: Solution) -> Partials:
         b, ends = solution.half_width, singular_y(solution)
         values = solution.centre_pressure if self.of_pressure else b
-        _, found, at = counted(solution.y, values, b, ends)
-        partials = Partials.of(solution, float(found.max()))
+        _, candidates, at = counted(solution.y, values, b, ends)
+        partials = Partials.of(solution, float(candidates.max()))
         into = partials.by_pressure if self.of_pressure else partials.by_half_width
         if at < solution.strips:
             into[at] = 1.0
@@ -180,17 +180,18 @@ class _Largest:
         # Between two strips, a half-width from an end, by both pressures and both half-widths.
         pair = np.array([at - solution.strips, at - solution.strips + 1])
 
-        def there(of_values: Array, of_widths: Array) -> float:
+        def value_at(of_values: Array, of_widths: Array) -> float:
             return float(counted(solution.y[pair], of_values, of_widths, ends)[1][2])
 
         p, widths = values[pair], b[pair]
         for k, strip in enumerate(pair.tolist()):
             up, down = 1.0 + STEP * (np.arange(2) == k), 1.0 - STEP * (np.arange(2) == k)
             if self.of_pressure:
-                partials.by_pressure[strip] = (there(p * up, widths) - there(p * down, widths)) / (2.0 * STEP * p[k])
-                change = there(p, widths * up) - there(p, widths * down)
+                change = value_at(p * up, widths) - value_at(p * down, widths)
+                partials.by_pressure[strip] = change / (2.0 * STEP * p[k])
+                change = value_at(p, widths * up) - value_at(p, widths * down)
             else:
-                change = there(widths * up, widths * up) - there(widths * down, widths * down)
+                change = value_at(widths * up, widths * up) - value_at(widths * down, widths * down)
             partials.by_half_width[strip] = change / (2.0 * STEP * widths[k])
         return partials
 
@@ -202,8 +203,8 @@ class _Motion:
     name: str
 
     def partials(self, solution: Solution) -> Partials:
-        given = {f"by_{self.name}": 1.0}
-        return Partials.of(solution, float(getattr(solution, self.name)), **given)
+        motion = {f"by_{self.name}": 1.0}
+        return Partials.of(solution, float(getattr(solution, self.name)), **motion)
 
 
 NAMED: dict[str, Measure] = {name: _Motion(name) for name in ("approach", "load", "tilt", "moment")} | {
@@ -230,39 +231,39 @@ def measure_of(quantity: str | Measure) -> Measure:
 
 def _root(solution: Solution, y: float, values: Array, *, of_pressure: bool) -> Partials:
     """Return what `Solution.pressure` interpolates at a place: the squares of ``values`` of strips, linearly."""
-    found = Partials.of(solution, 0.0)
+    partials = Partials.of(solution, 0.0)
     number = next((k for k, (low, high) in enumerate(solution.contact_y) if low <= y <= high), None)
     if number is None:
-        return found
+        return partials
     low, high = solution.contact_y[number]
     inside = np.flatnonzero((solution.y > low) & (solution.y < high))
-    into = found.by_pressure if of_pressure else found.by_half_width
+    into = partials.by_pressure if of_pressure else partials.by_half_width
     first, last = int(inside[0]), int(inside[-1])
     if solution.y[first] <= y <= solution.y[last]:
         one = int(np.clip(np.searchsorted(solution.y, y) - 1, first, max(last - 1, first)))
         other = min(one + 1, last)
         share = (y - solution.y[one]) / (solution.y[other] - solution.y[one]) if other > one else 0.0
-        found.value = float(np.sqrt((1.0 - share) * values[one] ** 2 + share * values[other] ** 2))
-        into[one] += (1.0 - share) * values[one] / found.value
-        into[other] += share * values[other] / found.value
-        return found
+        partials.value = float(np.sqrt((1.0 - share) * values[one] ** 2 + share * values[other] ** 2))
+        into[one] += (1.0 - share) * values[one] / partials.value
+        into[other] += share * values[other] / partials.value
+        return partials
     side, strip = (0, first) if y < solution.y[first] else (1, last)
     if not runs_out(solution, number, side):
-        found.value = float(values[strip])
+        partials.value = float(values[strip])
         into[strip] = 1.0
-        return found
+        return partials
     # Up to where the contact runs out, which follows from the half-widths of the two strips next to it.
     end, here = (low, high)[side], solution.y[strip]
     share = (end - y) / (end - here)
-    found.value = float(values[strip] * np.sqrt(share))
-    if not found.value > 0.0:
-        return found
+    partials.value = float(values[strip] * np.sqrt(share))
+    if not partials.value > 0.0:
+        return partials
     into[strip] = np.sqrt(share)
-    by_end = 0.5 * values[strip] ** 2 / found.value * (y - here) / (end - here) ** 2
+    by_end = 0.5 * values[strip] ** 2 / partials.value * (y - here) / (end - here) ** 2
     for near in {strip, min(max(strip + 1 - 2 * side, first), last)}:
         change = STEP * (np.arange(solution.strips) == near)
         squares = [(solution.half_width * (1.0 + sign * change)) ** 2 for sign in (1, -1)]
-        wider, narrower = (core.intervals(solution.edges, each)[number][side] for each in squares)
+        wider, narrower = (core.intervals(solution.edges, widths)[number][side] for widths in squares)
         moved = (wider - narrower) / (2.0 * STEP * solution.half_width[near])
-        found.by_half_width[near] += by_end * moved
-    return found
+        partials.by_half_width[near] += by_end * moved
+    return partials

@@ -114,7 +114,7 @@ class Judgement:
     def __getstate__(self) -> dict[str, object]:
         if "result" not in vars(self):
             return vars(self)
-        return {"problem": self.problem, "kept": (kept(self.result), self.result.accuracy)}
+        return {"problem": self.problem, "kept": (states_of_levels(self.result), self.result.accuracy)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
@@ -195,7 +195,7 @@ class Judgement:
         return singularities(solution, self._core) if self._core.singular else ()
 
 
-class Kept(NamedTuple):
+class LevelState(NamedTuple):
     """A state of strips as arrays, which can be saved and sent."""
 
     edges: Array
@@ -209,15 +209,15 @@ class Kept(NamedTuple):
     residual: float
 
 
-def kept(result: core.Result) -> list[Kept]:
+def states_of_levels(result: core.Result) -> list[LevelState]:
     """Return the states of all levels, finest first."""
     return [
-        Kept(edges, of.r, of.m, of.gap, of.rigid, of.stiffness, int(of.status), of.steps, of.residual)
+        LevelState(edges, of.r, of.m, of.gap, of.rigid, of.stiffness, int(of.status), of.steps, of.residual)
         for edges, of in result.levels
     ]
 
 
-def restored(problem: Problem, levels: list[Kept], accuracy: float, *, accepted: bool = True) -> core.Result:
+def restored(problem: Problem, levels: list[LevelState], accuracy: float, *, accepted: bool = True) -> core.Result:
     """Return what the core had found; `accepted` where it was known to meet what was prescribed."""
     states = [
         (

@@ -46,8 +46,8 @@ def deepest(separation: Callable[[Array], Array], y: Array, rigid: Array) -> Arr
     before, here, after = (np.take_along_axis(depth, middle[..., None] + step, -1)[..., 0] for step in (-1, 0, 1))
     to_left, to_right = y[middle] - y[middle - 1], y[middle + 1] - y[middle]
     with np.errstate(divide="ignore", invalid="ignore"):  # infinite relief, or a straight line
-        left, right = (here - before) / to_left, (after - here) / to_right
-        vertex = y[middle] + (left * to_right + right * to_left) / (2.0 * (left - right))
+        falling, rising = (here - before) / to_left, (after - here) / to_right
+        vertex = y[middle] + (falling * to_right + rising * to_left) / (2.0 * (falling - rising))
     place = np.clip(np.where(np.isfinite(vertex), vertex, y[middle]), y[middle - 1], y[middle + 1])
     at_vertex: Array = approach + tilt * place - separation(place.ravel()).reshape(place.shape)
     deeper: Array = np.maximum(largest, at_vertex)

@@ -24,7 +24,7 @@ class ReadOnly:
 
     def __getstate__(self) -> dict[str, object]:
         # What is worked out from the fields is worked out again.
-        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)

@@ -74,18 +74,18 @@ def _large_errors(solution: Solution) -> Iterator[Finding]:
 
 def _short_of_accuracy(solution: Solution, problem: Problem, errors: core.Errors) -> Iterator[Finding]:
     """Yield that the accuracy that was asked for is not met; larger errors have findings of their own."""
-    name, error = max(("approach", errors.approach), ("load", errors.load), key=lambda each: each[1])
-    is_given, asked, by_modes, large = problem.accuracy_given, problem.accuracy, errors.left_by_modes, LARGE_ERROR
+    name, error = max(("approach", errors.approach), ("load", errors.load), key=lambda pair: pair[1])
+    is_given, accuracy, by_modes, large = problem.accuracy_given, problem.accuracy, errors.left_by_modes, LARGE_ERROR
     if problem.pressure_accuracy is not None:
-        name, error, asked = "largest pressure", errors.max_pressure, problem.pressure_accuracy
+        name, error, accuracy = "largest pressure", errors.max_pressure, problem.pressure_accuracy
         is_given, by_modes, large = True, errors.pressure_left_by_modes, LARGE_PRESSURE_ERROR
     # Strips have no part in what the modes of a whole roller leave.
-    if is_given and asked is not None and asked < error - by_modes <= large:
+    if is_given and accuracy is not None and accuracy < error - by_modes <= large:
         yield finding(
             "short-of-accuracy",
             "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "
             "on {strips} strips; what is left is at sharp ends, corners or in roughness that strips do not resolve.",
-            asked=asked,
+            asked=accuracy,
             quantity=name,
             error=error,
             strips=solution.strips,
@@ -131,10 +131,10 @@ _NO_LIMIT = (
 def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, ...]:
     """Return each end of the contact at which the pressure has no limit."""
     sharp = {edge.y: edge for edge in solution.judgement.ends if edge.kind is EdgeKind.SINGULAR}
-    found = []
+    findings = []
     for end in judged.singular:
         if end.is_corner:
-            found.append(
+            findings.append(
                 finding(
                     "corner-end",
                     "The contact ends at a corner of the profile at y = {y:.6g}, where the pressure is singular: "
@@ -145,7 +145,7 @@ def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, 
             )
         else:
             edge = sharp[end.y]
-            found.append(
+            findings.append(
                 finding(
                     "sharp-end",
                     "The contact reaches the sharp end at y = {y:.6g} ({convention}), where the pressure is singular, "
@@ -156,7 +156,7 @@ def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, 
                     width=mm(end.width),
                 )
             )
-    return tuple(found)
+    return tuple(findings)
 
 
 def _without_limit(solution: Solution) -> Iterator[Finding]:

@@ -15,7 +15,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import listed
 from nonhertz.model.contact import Contact
 from nonhertz.native import core
-from nonhertz.result.outcome import kept, restored, solution_of
+from nonhertz.result.outcome import restored, solution_of, states_of_levels
 from nonhertz.result.solution import Solution
 from nonhertz.strip.problem import Problem, Target
 
@@ -48,7 +48,7 @@ class Block:
     error: Exception | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        states = [(kept(result), result.accuracy) for result in self.results]
+        states = [(states_of_levels(result), result.accuracy) for result in self.results]
         return Block._again, (self.problem, self.numbers, self.targets, states, self.error)
 
     @classmethod

@@ -22,7 +22,7 @@ from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
 from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.result.outcome import Kept, kept, outcome, restored
+from nonhertz.result.outcome import LevelState, outcome, restored, states_of_levels
 from nonhertz.solver.blocks import Block, several
 from nonhertz.solver.one import posed
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
@@ -84,12 +84,12 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         "problems": np.array([source.problem.target for source in sources.values()]),
         "counts": np.array([level.r.size for level in levels], dtype=np.int64),
         "errors": np.asarray(json.dumps([_described(error) for error in errors])),
-        "contact_sizes": np.array([each.places.size for each in likenesses]),
-        "contact_places": np.concatenate([each.places for each in likenesses]),
-        "contact_surfaces": np.concatenate([each.surfaces for each in likenesses], axis=1),
-        "contact_numbers": np.array([each.numbers for each in likenesses]),
+        "contact_sizes": np.array([likeness.places.size for likeness in likenesses]),
+        "contact_places": np.concatenate([likeness.places for likeness in likenesses]),
+        "contact_surfaces": np.concatenate([likeness.surfaces for likeness in likenesses], axis=1),
+        "contact_numbers": np.array([likeness.numbers for likeness in likenesses]),
     }
-    for name in Kept._fields:
+    for name in LevelState._fields:
         values = [np.ravel(getattr(level, name)) for level in levels]
         fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
     ARCHIVE.save(path, fields | {"digest": np.asarray(digest(fields))})
@@ -99,7 +99,7 @@ def read(
     path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]
 ) -> tuple[tuple[int, ...], tuple[Block, ...]]:
     """Return the shape of the results, and the blocks."""
-    given = several(contacts)
+    sources = several(contacts)
     entries = ARCHIVE.load(path)
     stated = text(entries, "digest")
     fields = {name: value for name, value in entries.items() if name not in {"kind", "version", "digest"}}
@@ -107,12 +107,12 @@ def read(
         raise ARCHIVE.damaged(path)
     shape = tuple(fields["shape"].tolist())
     if isinstance(contacts, Contact):
-        given = given * shape[-1]
-    if len(given) not in {1, shape[-1]}:
+        sources = sources * shape[-1]
+    if len(sources) not in {1, shape[-1]}:
         condition = f"be 1 or {shape[-1]}, as many as the cases have along the last axis"
-        raise InputError("number of contacts", len(given), condition, _AS_GIVEN)
-    which = np.broadcast_to(np.arange(len(given)), shape).ravel()
-    return shape, tuple(_blocks(fields, given, which))
+        raise InputError("number of contacts", len(sources), condition, _AS_GIVEN)
+    which = np.broadcast_to(np.arange(len(sources)), shape).ravel()
+    return shape, tuple(_blocks(fields, sources, which))
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ class _Saved:
     block: Block
     numbers: list[int]
     targets: list[Target]
-    levels: list[Kept]
+    levels: list[LevelState]
     accuracy: float  # of the grids; zero where a coarser one has no solution
 
     @classmethod
@@ -132,10 +132,10 @@ class _Saved:
             yield cls(block, block.numbers, block.targets, [], 0.0)
         for row, result in enumerate(block.results):
             part = slice(row, row + 1)
-            yield cls(block, block.numbers[part], block.targets[part], kept(result), result.accuracy)
+            yield cls(block, block.numbers[part], block.targets[part], states_of_levels(result), result.accuracy)
 
 
-def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
+def _blocks(fields: Entries, sources: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
     problems, errors = _Problems(fields), iter(json.loads(str(fields["errors"])))
     levels, known, first = _levels(fields), _errors_by_name(), 0
     solved: list[Block] = []
@@ -145,7 +145,7 @@ def _blocks(fields: Entries, given: list[Contact], which: NDArray[np.intp]) -> I
         numbers = fields["numbers"][part].tolist()
         targets = [(one, two) for one, two in fields["targets"][part].tolist()]
         # All are compared; the same contact may have been given several times as equal ones.
-        problem, *_ = (problems.of(contact, given, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
+        problem, *_ = (problems.of(contact, sources, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         states = [next(levels) for _ in range(grids)]
         results = [restored(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
         block = Block(problem, numbers, targets, results)
@@ -169,16 +169,16 @@ def _together(blocks: list[Block]) -> Iterator[Block]:
         )  # fmt: skip
 
 
-def _levels(fields: Entries) -> Iterator[Kept]:
+def _levels(fields: Entries) -> Iterator[LevelState]:
     """Yield the states of all levels."""
-    ends = dict.fromkeys(Kept._fields, 0)
+    ends = dict.fromkeys(LevelState._fields, 0)
 
     def following(name: str, count: int) -> Any:
         ends[name] += count
         return fields[name][ends[name] - count : ends[name]]
 
     for n in fields["counts"].tolist():
-        yield Kept(
+        yield LevelState(
             following("edges", n + 1), following("r", n), following("m", n), following("gap", n),
             following("rigid", 2).tolist(), following("stiffness", 4).reshape(2, 2).tolist(),
             following("status", 1).item(), following("steps", 1).item(), following("residual", 1).item(),
@@ -219,7 +219,7 @@ class _Likeness:
             len(influence.terms), *np.sum(np.abs(influence.terms), axis=0).tolist(), len(influence.references),
             len(influence.ends), len(influence.faces), len(bends), float(np.sum(np.abs(bends))),
         ]  # fmt: skip
-        depths = [each.below(places) for each in influence.references]
+        depths = [reference.below(places) for reference in influence.references]
         surfaces = np.array([*of_bodies, np.min([np.full(places.shape, np.inf), *depths], axis=0)])
         return cls(places, surfaces, np.array(numbers, dtype=float))
 
@@ -235,9 +235,9 @@ class _Likeness:
 
 
 def _surface(body: Body, places: Array) -> Iterator[Array]:
-    for asked in (body.relief_at, body.curvature_at):
+    for function in (body.relief_at, body.curvature_at):
         try:
-            yield np.asarray(asked(places), dtype=float)
+            yield np.asarray(function(places), dtype=float)
         # A user-written profile may raise anything; if it did so in all cases, it may do so here.
         except Exception:  # noqa: BLE001
             yield np.full(places.shape, np.nan)
@@ -261,9 +261,9 @@ class _Problems:
         self._ends = np.cumsum(fields["contact_sizes"])
         self._known: dict[tuple[int, int], Problem] = {}
 
-    def of(self, stored: int, given: list[Contact], at: int) -> Problem:
+    def of(self, stored: int, sources: list[Contact], at: int) -> Problem:
         """Return the problem of a given contact that should be a stored one."""
-        contact, fields = given[at], self._fields
+        contact, fields = sources[at], self._fields
         if (stored, id(contact)) not in self._known:
             accuracy, accuracy_given, of_pressure = fields["accuracy"].tolist()
             (by_load, by_moment), (first, second) = fields["prescribed"], fields["problems"][stored]
@@ -279,7 +279,7 @@ class _Problems:
             if not _Likeness.of(problem, places).like(expected):
                 condition = "be the contact that the cases were solved with"
                 raise InputError(
-                    f"contacts[{at}]" if len(set(map(id, given))) > 1 else "contacts", contact, condition, _AS_GIVEN
+                    f"contacts[{at}]" if len(set(map(id, sources))) > 1 else "contacts", contact, condition, _AS_GIVEN
                 )
             self._known[stored, id(contact)] = problem
         return self._known[stored, id(contact)]
@@ -334,7 +334,7 @@ def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Excep
 
 
 def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:
-    literals = [_literal(each) for each in arguments]
+    literals = [_literal(node) for node in arguments]
     values = [
         _Shown(written) if value is None and written != "None" else value
         for value, written in zip(literals, arguments, strict=True)
@@ -348,13 +348,13 @@ def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:
 
 def _errors_by_name() -> dict[str, type[Exception]]:
     """Return all classes of errors that have been imported; none is imported because a file names it."""
-    found, left = {Exception}, [Exception]
-    while left:
-        for kind in left.pop().__subclasses__():
-            if kind not in found:
-                found.add(kind)
-                left.append(kind)
-    return {_name(kind): kind for kind in found}
+    kinds, stack = {Exception}, [Exception]
+    while stack:
+        for kind in stack.pop().__subclasses__():
+            if kind not in kinds:
+                kinds.add(kind)
+                stack.append(kind)
+    return {_name(kind): kind for kind in kinds}
 
 
 def _name(kind: type[Exception]) -> str:

@@ -112,8 +112,8 @@ def solve_many(
     callback("announce", announce)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
     shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    solutions, found = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
-    warn(found)
+    solutions, findings = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
+    warn(findings)
     return solutions
 
 
@@ -154,24 +154,24 @@ def _laid_out(
     contacts: Contact | Iterable[Contact], prescribed: Mapping[str, ArrayLike | None], options: _Options
 ) -> tuple[tuple[int, ...], list[Task]]:
     """Return the shape of the results and the cases; invalid input is refused."""
-    given = {name: value for name, value in prescribed.items() if value is not None}
+    prescriptions = {name: value for name, value in prescribed.items() if value is not None}
     refuse_unpaired(**{name: prescribed.get(name) for name in _PRESCRIBED})
-    each = several(contacts)
-    shape, which, values = _spread(len(each) if not isinstance(contacts, Contact) else None, given)
-    return shape, _tasks(each, shape, which, values, options)
+    contact_list = several(contacts)
+    shape, which, values = _spread(len(contact_list) if not isinstance(contacts, Contact) else None, prescriptions)
+    return shape, _tasks(contact_list, shape, which, values, options)
 
 
 def _spread(
-    contacts: int | None, given: dict[str, ArrayLike]
+    contacts: int | None, prescriptions: dict[str, ArrayLike]
 ) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
     """Return the shape of the results, and for each case the index of its contact and what is prescribed."""
     columns = [np.zeros((), dtype=int) if contacts is None else np.arange(contacts)]
-    for name, value in given.items():
+    for name, value in prescriptions.items():
         try:
             column = np.asarray(value)
             if column.dtype.kind in "UO":
                 texts = np.asarray(value, dtype=object)
-                column = np.array([_number(name, each) for each in texts.flat]).reshape(texts.shape)
+                column = np.array([_number(name, text) for text in texts.flat]).reshape(texts.shape)
         except InputError:
             raise
         except (TypeError, ValueError):
@@ -186,17 +186,19 @@ def _spread(
         spread = np.broadcast_arrays(*columns)
     except ValueError:
         shapes = ", ".join(
-            f"{name}: {column.shape}" for name, column in zip(("contacts", *given), columns, strict=True)
+            f"{name}: {column.shape}" for name, column in zip(("contacts", *prescriptions), columns, strict=True)
         )
         raise InputError("shapes", shapes, "broadcast together", "give numbers, or arrays of matching shapes") from None
     if spread[0].size == 0:
-        empty = next(name for name, column in zip(("contacts", *given), columns, strict=True) if column.size == 0)
+        empty = next(
+            name for name, column in zip(("contacts", *prescriptions), columns, strict=True) if column.size == 0
+        )
         raise InputError(empty, [], "hold at least one case", "skip the call if there is none")
     which, *values = (column.ravel() for column in spread)
     return (
         spread[0].shape or (1,),
         which,
-        {name: value.astype(float) for name, value in zip(given, values, strict=True)},
+        {name: value.astype(float) for name, value in zip(prescriptions, values, strict=True)},
     )
 
 
@@ -209,7 +211,7 @@ def _tasks(
     contacts: list[Contact],
     shape: tuple[int, ...],
     which: NDArray[np.intp],
-    given: dict[str, Array],
+    prescribed: dict[str, Array],
     options: _Options,
 ) -> list[Task]:
     """Return the cases in portions of one contact each; invalid input is refused here."""
@@ -218,14 +220,14 @@ def _tasks(
         by_contact.setdefault(id(contacts[index]), []).append(number)
 
     def case(number: int) -> Prescription:
-        return Prescription(**{name: float(values[number]) for name, values in given.items()})
+        return Prescription(**{name: float(values[number]) for name, values in prescribed.items()})
 
     def refused(error: InputError, number: int) -> InputError:
         return error.within(f"case {case_label(number, shape)}") if which.size > 1 else error
 
     number = 0
     try:
-        for number in _suspects(given):
+        for number in _suspects(prescribed):
             case(number)
     except InputError as error:
         raise refused(error, number) from None
@@ -238,18 +240,18 @@ def _tasks(
             aim = options.accuracy, options.accuracy_of
             problem = problem_of(contact, case(number), options.element, options.strips, *aim)
             # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
-            loads = given["load"][numbers] if "load" in given else np.zeros(1)
+            loads = prescribed["load"][numbers] if "load" in prescribed else np.zeros(1)
             outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
-            for number in numbers if "moment" in given else outermost:
+            for number in numbers if "moment" in prescribed else outermost:
                 case(number).refuse_outside(contact)
         except InputError as error:
             raise refused(error, number) from None
         targets = np.zeros((len(numbers), 2))
         for column, force, motion in ((0, "load", "approach"), (1, "moment", "tilt")):
-            if force in given:
-                targets[:, column] = contact.compliance * given[force][numbers]
-            elif motion in given:
-                targets[:, column] = given[motion][numbers]
+            if force in prescribed:
+                targets[:, column] = contact.compliance * prescribed[force][numbers]
+            elif motion in prescribed:
+                targets[:, column] = prescribed[motion][numbers]
         strips = strips_of(problem, options.strips)
         at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
         for first in range(0, len(numbers), at_once):
@@ -258,13 +260,13 @@ def _tasks(
     return tasks
 
 
-def _suspects(given: dict[str, Array]) -> list[int]:
+def _suspects(prescribed: dict[str, Array]) -> list[int]:
     """Return the cases with an invalid number."""
-    suspects = np.any([~np.isfinite(values) for values in given.values()], axis=0)
-    if "load" in given:
-        suspects |= given["load"] <= 0.0
-    if "tilt" in given:
-        suspects |= np.abs(given["tilt"]) > MOST_TILT
+    suspects = np.any([~np.isfinite(values) for values in prescribed.values()], axis=0)
+    if "load" in prescribed:
+        suspects |= prescribed["load"] <= 0.0
+    if "tilt" in prescribed:
+        suspects |= np.abs(prescribed["tilt"]) > MOST_TILT
     return np.flatnonzero(suspects).tolist()
 
 
@@ -273,7 +275,7 @@ def _works(tasks: list[Task]) -> Iterator[Work]:
     portion: list[Task] = []
     for task in tasks:
         portion.append(task)
-        if sum(len(each.numbers) for each in portion) >= (
+        if sum(len(queued.numbers) for queued in portion) >= (
             CASES_APART if isinstance(task.strips, core.Accuracy) else CASES_AT_ONCE
         ):
             yield Work(tuple(portion))

@@ -105,8 +105,8 @@ def solve(
     >>> round(solution.moment / solution.load, 2)
     0.81
     """
-    given = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
-    problem = problem_of(contact, given, element, strips, accuracy, accuracy_of)
+    prescription = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
+    problem = problem_of(contact, prescription, element, strips, accuracy, accuracy_of)
     solution = outcome(problem, result_of(problem, strips_of(problem, strips)))
     warn(solution.findings)
     return solution
@@ -114,7 +114,7 @@ def solve(
 
 def problem_of(
     contact: Contact,
-    given: Prescription,
+    prescription: Prescription,
     element: Element | str,
     strips: Strips = None,
     accuracy: float | None = None,
@@ -132,9 +132,9 @@ def problem_of(
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     element = element_of(element)
     refuse_accuracy(strips, accuracy, accuracy_of)
-    given.refuse_outside(contact)
+    prescription.refuse_outside(contact)
     problem = posed(
-        contact, element, given.by_force, given.target(contact.compliance),
+        contact, element, prescription.by_force, prescription.target(contact.compliance),
         (accuracy or ACCURACY) if is_automatic(strips) else None, accuracy_given=accuracy is not None,
     )  # fmt: skip
     if accuracy_of != "pressure":
@@ -172,13 +172,13 @@ def posed(
     return Problem(contact, StripModel.of(contact, element), by_force, target, accuracy, accuracy_given)
 
 
-def element_of(given: Element | str) -> Element:
+def element_of(element: Element | str) -> Element:
     """Return a strip element, which may be given by its name."""
-    found = ELEMENTS.get(given, given) if isinstance(given, str) else given
-    if not isinstance(found, Element):
+    chosen = ELEMENTS.get(element, element) if isinstance(element, str) else element
+    if not isinstance(chosen, Element):
         remedy = "use nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
-        raise InputError("element", given, "be an element", remedy)
-    return found
+        raise InputError("element", element, "be an element", remedy)
+    return chosen
 
 
 def refuse_accuracy(strips: Strips, accuracy: float | None, accuracy_of: str | None = None) -> None:

@@ -92,9 +92,9 @@ class Task:
         failed: list[Block] = []
         solved: dict[int, core.Result] = {}
         is_looked_at = has_series(problem)
-        for row, each in enumerate(ended):
-            result = each if isinstance(each, core.Result) else None
-            reason = self._failure(row, each) if result is None or not result.holds or is_looked_at else None
+        for row, ending in enumerate(ended):
+            result = ending if isinstance(ending, core.Result) else None
+            reason = self._failure(row, ending) if result is None or not result.holds or is_looked_at else None
             if reason is not None:
                 reached = [result] if result is not None and isinstance(reason, ConvergenceError) else []
                 failed.append(self._block([row], reached, reason))
@@ -137,14 +137,14 @@ class Work:
 
     def solved(self, stop: core.Stop) -> list[Block]:
         """Solve the tasks, until the run is stopped."""
-        found: list[Block] = []
+        blocks: list[Block] = []
         for task in self.tasks:
             if stop.is_set:
                 break
-            found += task.solved(stop)
-        for block in found:
+            blocks += task.solved(stop)
+        for block in blocks:
             block.prepare()
-        return found
+        return blocks
 
 
 class Run:
@@ -207,10 +207,10 @@ class Run:
     def _so_far(self) -> Solutions:
         blocks: list[Block] = []
         for number, work in enumerate(self._works):
-            found = _result(self._futures[number]) if number < len(self._futures) else []
-            begun = {case for block in found for case in block.numbers}
-            blocks += found
-            blocks += (left for task in work.tasks for left in task.without(begun, NonhertzError(NOT_SOLVED)))
+            done = _result(self._futures[number]) if number < len(self._futures) else []
+            begun = {case for block in done for case in block.numbers}
+            blocks += done
+            blocks += (unsolved for task in work.tasks for unsolved in task.without(begun, NonhertzError(NOT_SOLVED)))
         return Solutions(self._shape, tuple(blocks))
 
 

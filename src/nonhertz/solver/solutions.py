@@ -99,14 +99,14 @@ class Solutions:
 
     def __repr__(self) -> str:
         solved = int(np.count_nonzero(self.converged))
-        said = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
+        lines = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
         for name in _COLUMNS[:5] if solved else ():
             quantity, values = QUANTITIES[name], getattr(self, name)[self.converged]
-            said.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
+            lines.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
         if self.failures:
             number, error = next(iter(self.failures.items()))
-            said.append(f"failed: case {number}: {shortened(str(error))}")
-        return plain_text("Solutions", said)
+            lines.append(f"failed: case {number}: {shortened(str(error))}")
+        return plain_text("Solutions", lines)
 
     @property
     def converged(self) -> NDArray[np.bool_]:
@@ -136,8 +136,8 @@ class Solutions:
         if at_once is not None and at_once.shape == self.shape:
             return at_once
         cases = zip(range(len(self)), self.converged.ravel().tolist(), strict=True)
-        found = [get(self._solution(number)) if converged else math.nan for number, converged in cases]
-        return np.array(found).reshape(self.shape)
+        numbers = [get(self._solution(number)) if converged else math.nan for number, converged in cases]
+        return np.array(numbers).reshape(self.shape)
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
@@ -247,14 +247,14 @@ class Solutions:
         whatever a user-written profile or diameter raised. Of cases that an interrupted run did not come to, it is a
         NonhertzError that says so.
         """
-        found = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
-        return {case_label(number, self.shape): error for number, error in sorted(found.items())}
+        errors = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
+        return {case_label(number, self.shape): error for number, error in sorted(errors.items())}
 
     @cached_property
     def warnings(self) -> dict[Number, tuple[str, ...]]:
         """The warnings of each case that has any: what strains the model, and ends without a limit of the pressure."""
-        found = sorted({*np.flatnonzero(self.singular).tolist(), *self._strained})
-        return {case_label(number, self.shape): self._solution(number).warnings for number in found}
+        numbers = sorted({*np.flatnonzero(self.singular).tolist(), *self._strained})
+        return {case_label(number, self.shape): self._solution(number).warnings for number in numbers}
 
     @cached_property
     def _strained(self) -> list[int]:
@@ -264,13 +264,13 @@ class Solutions:
     def findings(self) -> Iterator[Finding]:
         """Yield a finding on the cases that strain the model, and one on those with singular ends."""
         for number in self._strained[:1]:
-            found = self._solution(number).findings[0]
-            yield self._of_many("strained", "cases strain the model", len(self._strained), number, found)
+            strain = self._solution(number).findings[0]
+            yield self._of_many("strained", "cases strain the model", len(self._strained), number, strain)
         for number in np.flatnonzero(self.singular)[:1].tolist():
             solution = self._solution(number)
-            found = solution.judgement.singularities(solution)[0]
+            singularity = solution.judgement.singularities(solution)[0]
             what = "contacts end where the pressure has no limit"
-            yield self._of_many("sharp-ends", what, int(np.count_nonzero(self.singular)), number, found)
+            yield self._of_many("sharp-ends", what, int(np.count_nonzero(self.singular)), number, singularity)
 
     def _of_many(self, kind: str, what: str, cases: int, number: int, first: Finding) -> Finding:
         words = f"{{cases}} of {{total}} {what}; number {{number}}, the first: {{first}}"

@@ -74,8 +74,8 @@ def _squares(element: Element, face: FreeFace) -> Array:
 
 def _summed(indices: str, matrix: Array, values: Array) -> Array:
     """Return a sum over one index, as a product of matrices."""
-    found: Array = np.einsum(indices, matrix, values, optimize=True)
-    return found
+    total: Array = np.einsum(indices, matrix, values, optimize=True)
+    return total
 
 
 def _integral(element: Element, face: FreeFace, u: Array, nodes: Array) -> Array:
@@ -88,15 +88,15 @@ def _integral(element: Element, face: FreeFace, u: Array, nodes: Array) -> Array
     start = before[..., None] + np.cumsum(whole, axis=-1) - whole
     up_to = np.array([legendre.legval(nodes, legendre.legint(unit, lbnd=-1.0)) for unit in np.eye(_FINE)])
     to_integral = np.linalg.inv(legendre.legvander(gauss, _FINE - 1)).T @ up_to
-    found: Array = start[..., None] + 0.5 * octave[:, None] * (on_octaves @ to_integral)
-    return found
+    integral: Array = start[..., None] + 0.5 * octave[:, None] * (on_octaves @ to_integral)
+    return integral
 
 
 def densities(element: Element, face: FreeFace, u: Array, v: Array) -> Array:
     """Return h and c of places at ``u`` and loads at ``v``, shape (2, ...)."""
     u, v = np.broadcast_arrays(u, v)
     weights = face.weights.reshape(len(face.weights), -1)
-    places, loads = (np.ascontiguousarray(each, dtype=float).ravel() for each in (u, v))
+    places, loads = (np.ascontiguousarray(column, dtype=float).ravel() for column in (u, v))
     return core.face_densities(element.core, face.distances, weights, places, loads).reshape(2, *u.shape)
 
 
@@ -107,10 +107,10 @@ def _places(nodes: Array) -> Array:
     return places
 
 
-def _interpolation(given: Array, wanted: Array) -> tuple[Array, Array]:
+def _interpolation(nodes: Array, wanted: Array) -> tuple[Array, Array]:
     """Return the matrices from values at given nodes to values and slopes at wanted ones."""
-    to_chebyshev = np.linalg.inv(chebyshev.chebvander(given, given.size - 1))
-    units = np.eye(given.size)
+    to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, nodes.size - 1))
+    units = np.eye(nodes.size)
     values = np.array([chebyshev.chebval(wanted, unit) for unit in units]).T
     slopes = np.array([chebyshev.chebval(wanted, chebyshev.chebder(unit)) for unit in units]).T
     return values @ to_chebyshev, slopes @ to_chebyshev

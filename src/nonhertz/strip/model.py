@@ -40,7 +40,7 @@ def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions
     return core.Model(
         bodies=[_body(body, as_functions) for body in (contact.a, contact.b)],
         kernel=kernel_of(influence, element),
-        references=[in_core(each) for each in influence.references],
+        references=[in_core(reference) for reference in influence.references],
         freed=[core.FreedFace(end.y, end.side, end.image_weight, end.free) for end in influence.ends],
         compliance=contact.compliance,
         interval=contact.interval,

@@ -172,18 +172,18 @@ def field_at(
 ) -> Field:
     """Return the stress at points that have been checked, NaN where there is no material."""
     count = places[0].size
-    held = inside.extent.holds(*places).ravel()
+    inside_extent = inside.extent.holds(*places).ravel()
     stresses = np.full((count, 6), np.nan)
     displacements = np.full((count, 3), np.nan) if displacement else None
 
     def fill(start: int) -> int:
         part = slice(start, start + PORTION)
-        rows = start + np.flatnonzero(held[part])
+        rows = start + np.flatnonzero(inside_extent[part])
         points = np.column_stack([place.flat[rows] for place in places])
         stresses[rows] = inside.stress(points)
         if displacements is not None:
             displacements[rows] = inside.displacement(points)
-        return int(held[part].size)
+        return int(inside_extent[part].size)
 
     with ThreadPoolExecutor(thread_count(threads)) as pool:
         done = 0
@@ -193,7 +193,7 @@ def field_at(
                 announce(done, count)
     shape = places[0].shape
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
-    findings = (*inside.extent.findings(held), *inside.findings)
+    findings = (*inside.extent.findings(inside_extent), *inside.findings)
     across, along, below = places
     return Field(inside.name, across, along, below, stresses.reshape(*shape, 6), moved, findings)
 
@@ -317,7 +317,7 @@ def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
     """
     touching = checked_solution(solution).line_load > 0.0
     along = solution.y[touching]
-    middle, half_width = (each[touching] for each in solution.extent_across)
+    middle, half_width = (values[touching] for values in solution.extent_across)
     half_length = 0.5 * np.diff(solution.edges)[touching]
     stations = np.asarray(y, dtype=float).ravel()
     counted = np.interp(stations, along, half_width, left=0.0, right=0.0)

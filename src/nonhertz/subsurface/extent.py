@@ -64,14 +64,14 @@ class Extent:
         within = (np.abs(x) <= room * outer) & (z <= room * below)
         return np.asarray(within & (room * np.hypot(x, outer - z) >= inner))
 
-    def findings(self, held: NDArray[np.bool_]) -> tuple[Finding, ...]:
+    def findings(self, inside: NDArray[np.bool_]) -> tuple[Finding, ...]:
         """Return that some points lie where there is no material, if any do."""
-        missing = held.size - int(np.count_nonzero(held))
+        missing = inside.size - int(np.count_nonzero(inside))
         if not missing:
             return ()
         where = "in its bore or beyond its surface" if self.round else "below its thickness"
         words = f"At {{missing}} of {{points}} points body {{body}} has no material, {where}: NaN is given there."
-        return (finding("outside-the-body", words, missing=missing, points=held.size, body=self.name),)
+        return (finding("outside-the-body", words, missing=missing, points=inside.size, body=self.name),)
 
     def refuse(self, y: float, z: float) -> None:
         """Reject a point where there is no material.

@@ -116,23 +116,23 @@ def as_tensor(stress: Array) -> Array:
 def principal_of(stress: Array) -> Array:
     """Return the principal stresses of six components (..., 6), the largest first, shape (..., 3)."""
     known = np.isfinite(stress).all(axis=-1, keepdims=True)  # LAPACK refuses NaN
-    found = np.linalg.eigvalsh(as_tensor(np.where(known, stress, 0.0)))[..., ::-1]
-    return np.where(known, found, np.nan).astype(np.float64, copy=False)
+    values = np.linalg.eigvalsh(as_tensor(np.where(known, stress, 0.0)))[..., ::-1]
+    return np.where(known, values, np.nan).astype(np.float64, copy=False)
 
 
 def von_mises_of(stress: Array) -> Array:
     """Return the von Mises stress of six components (..., 6)."""
     s_x, s_y, s_z, t_yz, t_xz, t_xy = np.moveaxis(stress, -1, 0)
     normal = (s_x - s_y) ** 2 + (s_y - s_z) ** 2 + (s_z - s_x) ** 2
-    found: Array = np.sqrt(0.5 * normal + 3.0 * (t_yz**2 + t_xz**2 + t_xy**2))
-    return found
+    von_mises: Array = np.sqrt(0.5 * normal + 3.0 * (t_yz**2 + t_xz**2 + t_xy**2))
+    return von_mises
 
 
 def max_shear_of(stress: Array) -> Array:
     """Return the maximum shear stress of six components (..., 6)."""
     principal = principal_of(stress)
-    found: Array = 0.5 * (principal[..., 0] - principal[..., 2])
-    return found
+    shear: Array = 0.5 * (principal[..., 0] - principal[..., 2])
+    return shear
 
 
 def orthogonal_shear_of(stress: Array) -> Array:

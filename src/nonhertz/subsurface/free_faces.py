@@ -233,7 +233,7 @@ class FreeFaceField:
         waves = _Waves.of(poisson, half_width, farthest)
         near = waves.k * length < FARTHEST_APART
         loads = [spectrum(waves.k, place) for place in places]
-        alone = [waves.alone(*each) for each in zip(loads, places, sides, strict=True)]
+        alone = [waves.alone(*group) for group in zip(loads, places, sides, strict=True)]
         for parts in zip(*alone, strict=True):
             odd = parts[0].is_odd
             images_of = replace(between, afar=None) if odd else between  # an odd load has no mean
@@ -277,13 +277,13 @@ class FreeFaceField:
 
         knots, radial, waves, to_r = self._grids
         k, odd = self.waves.k, _ODD[of]
-        found = self.waves.field.at_places(coefficients, of, k, radial).reshape(k.size, -1, odd.size)
+        samples = self.waves.field.at_places(coefficients, of, k, radial).reshape(k.size, -1, odd.size)
         if of.start:
-            found = found * (0.5 / k[:, None, None])
+            samples = samples * (0.5 / k[:, None, None])
         wave = -1j * waves if part.is_odd else waves
-        table = np.empty((waves.shape[0], *found.shape[1:]))
-        table[..., ~odd] = np.tensordot(wave.real, found[..., ~odd], 1)
-        table[..., odd] = np.tensordot(wave.imag, found[..., odd], 1)
+        table = np.empty((waves.shape[0], *samples.shape[1:]))
+        table[..., ~odd] = np.tensordot(wave.real, samples[..., ~odd], 1)
+        table[..., odd] = np.tensordot(wave.imag, samples[..., odd], 1)
         table = to_r @ table.reshape(waves.shape[0], radial.size, -1)
         table = _of_angles()[1] @ table.reshape(*table.shape[:2], DIRECTIONS, -1)
         return NdBSpline(knots, table, 3)
@@ -302,10 +302,10 @@ class FreeFaceField:
     def displacement(self, points: Array) -> Array:
         """Return the shear modulus times the displacement [N/mm] at ``points`` (n, 3), shape (n, 3)."""
         where, nearer = self._seen(points)
-        found = sum(
+        total = sum(
             moved(where) * self._signs(points, turned)[:, _STRESSES:] for turned, moved in self._of_displacement
         )
-        return np.asarray(nearer * found)
+        return np.asarray(nearer * total)
 
     def _seen(self, points: Array) -> tuple[Array, Array]:
         """Return where points are in the table, and by how much nearer than they are: beyond it a load is a point."""

@@ -91,12 +91,12 @@ class Inside:
         InputError
             If ``name`` is neither body, or ``solution`` is not a solution.
         """
-        kept = _KEPT.setdefault(checked_solution(solution), {})
-        if checked_body(name) in kept:
-            return kept[name]
+        by_body = _KEPT.setdefault(checked_solution(solution), {})
+        if checked_body(name) in by_body:
+            return by_body[name]
         load: Load
-        if kept:
-            load = next(iter(kept.values())).load
+        if by_body:
+            load = next(iter(by_body.values())).load
         elif isinstance(solution, Solution):
             load = StripLoad.of(solution)
         else:
@@ -123,8 +123,8 @@ class Inside:
                 own, _ = core.by_own_width(by_width, strip, float(solution.half_width[strip]))
                 widened[strip] = pressed[strip] * own
         wall = Wall.of(solution, body, Extent(name, body), terms, faces)
-        kept[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, widened, afar)
-        return kept[name]
+        by_body[name] = cls(name, body, load, terms, faces, wall, influence, solution.edges, pressed, widened, afar)
+        return by_body[name]
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -177,7 +177,7 @@ class Inside:
         weights = self.influence.terms / [1.0, 1.0, share]
         total = self.load.six(points, self.body.material.poisson, True, weights)[:, DISPLACEMENT]
         for side in self.influence.faces:
-            face = next(each for each in self.faces if each.side == side.side)
+            face = next(candidate for candidate in self.faces if candidate.side == side.side)
             total += side.share / share * face.displacement(points)
         total /= self.body.material.shear_modulus
         y, back = np.unique(points[:, 1], return_inverse=True)

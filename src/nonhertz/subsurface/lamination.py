@@ -105,7 +105,9 @@ class LoadedStrips:
             np.concatenate([_at_edges(solution, run, values, least) for run in runs], axis=1)
             for values, least in ((square, 0.0), (ratio, LOWEST_RATIO))
         )
-        run_out = np.concatenate([_run_outs(solution, *each) for each in zip(runs, solution.contact_y, strict=True)])
+        run_out = np.concatenate(
+            [_run_outs(solution, *stretch) for stretch in zip(runs, solution.contact_y, strict=True)]
+        )
         low, high = solution.edges[:-1][touching], solution.edges[1:][touching]
         return cls(low, high, solution.line_load[touching], solution.half_width[touching], m * r, m, run_out)
 
@@ -160,17 +162,18 @@ def laminated(solution: Solution) -> Lamination:
         return Lamination(nothing, nothing, nothing, nothing, np.zeros(1, dtype=np.int64))
     strips = LoadedStrips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
-        found = cut_into_pieces(strips)
-    if bears(found, strips):
-        return found
+        lamination = cut_into_pieces(strips)
+    if bears(lamination, strips):
+        return lamination
     each_one = (strips.low, strips.high, strips.line_load, strips.half_width)
     return _joined(each_one, each_one, np.arange(strips.low.size + 1))
 
 
-def bears(found: Lamination, strips: LoadedStrips) -> bool:
+def bears(lamination: Lamination, strips: LoadedStrips) -> bool:
     """Return whether the pieces are valid and carry the load of the strips and, within tolerance, their moment."""
     low, high, line_load, half_width = (
-        each[found.first[0] :] for each in (found.low, found.high, found.line_load, found.half_width)
+        values[lamination.first[0] :]
+        for values in (lamination.low, lamination.high, lamination.line_load, lamination.half_width)
     )
     valid = np.isfinite(half_width) & (half_width > 0.0) & (line_load >= 0.0) & (high > low)
     load = line_load * (high - low)
@@ -206,14 +209,14 @@ def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> A
     An end at the edge of a strip is not a run-out, nor is one at the centre of the next: there the surfaces separate
     without m having vanished.
     """
-    found = np.full(run.size, np.inf)
+    run_outs = np.full(run.size, np.inf)
     for at, end, outwards in ((0, ends[0], -1), (-1, ends[1], 1)):
         edge = solution.edges[run[at] + (outwards > 0)]
         beyond = run[at] + outwards
         limit = solution.y[beyond] if 0 <= beyond < solution.y.size else edge
         if run.size > 1 and end not in {edge, limit, solution.y[run[at]]}:
-            found[at] = (end - solution.y[run[at]]) / (0.5 * solution.strip_width[run[at]])
-    return found
+            run_outs[at] = (end - solution.y[run[at]]) / (0.5 * solution.strip_width[run[at]])
+    return run_outs
 
 
 def cut_into_pieces(strips: LoadedStrips) -> Lamination:
@@ -225,7 +228,7 @@ def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
     line, followed = _falling(strips.run_out[strip], begin, end), 1.0 / max(1.0, added, turned)
     on_line = np.isfinite(strips.run_out[strip])
-    load, square = (np.where(on_line, followed * line + (1.0 - followed) * each, each) for each in (load, square))
+    load, square = (np.where(on_line, followed * line + (1.0 - followed) * values, values) for values in (load, square))
     highest = np.where(on_line, np.inf, np.maximum(strips.pressure_edges.max(axis=0), 1.0)[strip])
     square = np.maximum(square, np.maximum((load / highest) ** 2, LEAST_SQUARE))
     low, high = _places(strips, strip, begin), _places(strips, strip, end)
@@ -292,7 +295,7 @@ def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> t
     # Between the samples it may still be slightly negative.
     lowest = np.minimum.reduceat(np.where(within, load, 0.0), np.flatnonzero(np.diff(strip, prepend=-1)))
     share = (1.0 / np.maximum(1.0, -lowest))[strip]
-    load, square = (np.where(within, np.maximum(1.0 + share * each, 0.0), 0.0) for each in (load, square))
+    load, square = (np.where(within, np.maximum(1.0 + share * values, 0.0), 0.0) for values in (load, square))
     return load, square
 
 

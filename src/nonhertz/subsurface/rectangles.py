@@ -154,8 +154,8 @@ class Rectangles(Load):
 
 def _span(bearing: NDArray[np.intp]) -> slice:
     """Return the slice from the first to the last nonzero entry, empty if there is none."""
-    found = np.flatnonzero(bearing)
-    return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
+    indices = np.flatnonzero(bearing)
+    return slice(int(indices[0]), int(indices[-1]) + 1) if indices.size else slice(0, 0)
 
 
 def _panels(x_edges: Array, y_edges: Array, pressure: Array) -> Panels:

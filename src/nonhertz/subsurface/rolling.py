@@ -140,7 +140,7 @@ def _passage(
     inside = Inside.of(solution, options.get("body", "a"))
     inside.refuse_outside(np.zeros(along.shape), along, below)
     announce = options.get("announce")
-    found = np.empty((2 * len(QUANTITIES) + 1, along.size))
+    results = np.empty((2 * len(QUANTITIES) + 1, along.size))
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
         part = np.arange(start, min(start + at_once, along.size))
@@ -149,10 +149,10 @@ def _passage(
             if of.size:
                 places = along.flat[of], below.flat[of]
                 refinements = 0 if sampled else REFINEMENTS
-                found[:, of] = _over(solution, inside, *places, options.get("threads"), turning, every, refinements)
+                results[:, of] = _over(solution, inside, *places, options.get("threads"), turning, every, refinements)
         if announce is not None:
             announce(min(start + at_once, along.size), along.size)
-    largest = [values.reshape(along.shape) for values in found]
+    largest = [values.reshape(along.shape) for values in results]
     return Passage(inside.name, along, below, *largest)
 
 
@@ -195,7 +195,7 @@ def _over(
 
     sampled = at(x)
     if not solution.symmetric_across:
-        signed = {"up": lambda each: each[..., TAU_XZ], "down": lambda each: -each[..., TAU_XZ]}
+        signed = {"up": lambda stress: stress[..., TAU_XZ], "down": lambda stress: -stress[..., TAU_XZ]}
     else:
         signed = {}
     tops = {name: _largest(quantity, x, sampled, at, refinements) for name, quantity in (QUANTITIES | signed).items()}
@@ -207,7 +207,7 @@ def _over(
 def _turned(stresses: Array, angle: Array) -> Array:
     """Return stresses in the directions of the arc, of y and of the depth, at an angle from the line of contact."""
     cosine, sine = np.cos(angle), np.sin(angle)
-    x, z, yz, xz, xy = (stresses[..., each] for each in (SIGMA_X, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY))
+    x, z, yz, xz, xy = (stresses[..., component] for component in (SIGMA_X, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY))
     turned = stresses.copy()
     turned[..., SIGMA_X] = cosine**2 * x + sine**2 * z + 2.0 * sine * cosine * xz
     turned[..., SIGMA_Z] = sine**2 * x + cosine**2 * z - 2.0 * sine * cosine * xz
@@ -266,12 +266,12 @@ def _largest(
 
 def _vertex(x: Array, values: Array) -> Array:
     """Return where the parabola through three points of each row is largest, within them."""
-    (left, middle, right), (low, top, high) = x.T, values.T
-    to_left, to_right = (top - low) * (right - middle), (top - high) * (middle - left)
+    (before, middle, after), (low, top, high) = x.T, values.T
+    to_left, to_right = (top - low) * (after - middle), (top - high) * (middle - before)
     bend = to_left + to_right
-    moved = 0.5 * (to_left * (right - middle) - to_right * (middle - left)) / np.where(bend > 0.0, bend, np.inf)
-    found: Array = np.clip(middle + moved, left, right)
-    return found
+    moved = 0.5 * (to_left * (after - middle) - to_right * (middle - before)) / np.where(bend > 0.0, bend, np.inf)
+    vertex: Array = np.clip(middle + moved, before, after)
+    return vertex
 
 
 def _around_the_largest(x: Array, values: Array) -> tuple[Array, Array]:

@@ -179,8 +179,8 @@ def extremes(
         # The first among equals.
         largest[name] = next(climb.extreme(solution) for climb in of_name if climb.top >= (1.0 - EQUAL) * best)
     at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
-    for name, found in at_bore.items():
-        largest[name] = max(largest[name], found, key=lambda each: each.max)
+    for name, candidate in at_bore.items():
+        largest[name] = max(largest[name], candidate, key=lambda extreme: extreme.max)
     left_out = (*(_findings(solution) if station is None else ()), *inside.findings)
     return Extremes(body=inside.name, findings=left_out, bore=at_bore.get("von_mises"), **largest)
 
@@ -216,7 +216,7 @@ def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, E
     """Return the largest stresses on the bore between some depths; tau_xz has no meaning of its own there."""
     low, high = inside.body.faces if station is None else (station, station)
     span, limits = np.array([0.5 * (high - low), 0.25 * np.pi]), [(low, high), (0.0, 0.5 * np.pi)]
-    found = {}
+    largest = {}
 
     def places(net: Array) -> tuple[Array, Array, Array]:
         outer, inner = inside.extent.radii(net[:, 0])
@@ -232,9 +232,9 @@ def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, E
         middle = np.array([0.5 * (low + high), 0.25 * np.pi])
         top, best = _highest(at, middle, span, limits, -np.inf, np.linspace(-1.0, 1.0, ALONG_BORE))
         if np.isfinite(top):
-            x, y, z = (float(each[0]) for each in places(best[None]))
-            found[name] = Extreme(top, x, y, z, at_bore=True)
-    return found
+            x, y, z = (float(coordinate[0]) for coordinate in places(best[None]))
+            largest[name] = Extreme(top, x, y, z, at_bore=True)
+    return largest
 
 
 def _checked_depths(depths: Span) -> Span:
@@ -302,8 +302,8 @@ def _sections(solution: Solved, stretches: list[Span]) -> Array:
 
 
 def _within(y: Array, stretches: list[Span]) -> NDArray[np.bool_]:
-    found: NDArray[np.bool_] = np.any([(y > low) & (y < high) for low, high in stretches], axis=0)
-    return found
+    within: NDArray[np.bool_] = np.any([(y > low) & (y < high) for low, high in stretches], axis=0)
+    return within
 
 
 def _other_crests(values: Array) -> list[tuple[int, int]]:
@@ -387,7 +387,7 @@ def _around(
     row, column = place
     best = np.array([0.0, coarse.y[place], coarse.z[place]])
     sections = coarse.y[:, 0]
-    limits = next(each for each in stretches if each[0] <= best[1] <= each[1])
+    limits = next(stretch for stretch in stretches if stretch[0] <= best[1] <= stretch[1])
     half_width = float(across_at(solution, sections[row])[1])
     neighbours = sections[max(row - 1, 0) : row + 2]
     step = np.diff(coarse.z[row])[max(column - 1, 0) : column + 1].max()

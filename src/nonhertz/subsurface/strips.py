@@ -65,7 +65,7 @@ class StripLoad(Load):
 
         of = self.strips
         counted = _counted(y, of)
-        low, high, load, half_width = (each[counted] for each in (of.low, of.high, of.line_load, of.half_width))
+        low, high, load, half_width = (values[counted] for values in (of.low, of.high, of.line_load, of.half_width))
         s = k[:, None] * half_width
         transform = load * 2.0 * j1(s) / s
         edges, order = np.concatenate([low, high]), np.argsort(np.concatenate([low, high]), kind="stable")

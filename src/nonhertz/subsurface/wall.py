@@ -53,10 +53,10 @@ class Wall:
 
         ``images`` are rows (sign, offset, weight) of the pressure and its images.
         """
-        found = bending_of(body)
-        if found is None:
+        geometry = bending_of(body)
+        if geometry is None:
             return None
-        (bending, radius), middle = found, body.position
+        (bending, radius), middle = geometry, body.position
         pressed = solution.line_load > 0.0
         low, high, line_load = solution.edges[:-1][pressed], solution.edges[1:][pressed], solution.line_load[pressed]
         y, width = _on_strips(low, high, _NODES_OF_MODES)
@@ -69,7 +69,7 @@ class Wall:
         forces = np.concatenate([weight * forces for _, _, weight in images])
 
         def of_faces(points: Array) -> Array:
-            return sum((each.stress(radius * points + [0.0, middle, 0.0]) for each in faces), np.zeros(6))
+            return sum((face.stress(radius * points + [0.0, middle, 0.0]) for face in faces), np.zeros(6))
 
         return cls(extent, core.Wall(modes - bending.of_field(of_faces), TOP, seen, forces), faces)
 
@@ -101,5 +101,5 @@ def _spread(waves: Array, half_width: Array) -> Array:
     from scipy import special
 
     turns = np.maximum(waves[:, None] * half_width, 1e-9)
-    found: Array = 2.0 * special.j1(turns) / turns
-    return found
+    factor: Array = 2.0 * special.j1(turns) / turns
+    return factor
