@@ -37,6 +37,7 @@ FILES = {f"{figure}.{ending}" for figure in ("pressure", "footprint", "profile")
     "result.json",
     "table.csv",
     "pressure.csv",
+    "footprint.csv",
     "profile.csv",
 }
 

@@ -1,5 +1,6 @@
 """Typing, dragging, choosing: the result follows, and is what `nonhertz.solve` gives."""
 
+import csv
 import re
 import statistics
 import tomllib
@@ -371,6 +372,17 @@ def test_numbers_of_figures_are_saved(desk):
     assert head == "panel,line,y [mm],value,unit"
     largest = max(float(row.split(",")[3]) for row in rows)
     assert largest == pytest.approx(desk.numbers["Largest pressure"], rel=1e-3)
+    _, content = desk.saved(desk.page.locator('[data-figure="footprint"] .savers button', has_text="CSV"))
+    head, *rows = content.decode().splitlines()
+    assert head == "panel,line,y [mm],x [mm],value,unit"
+    wide, pressures = zip(*(map(float, row.split(",")[3:5]) for row in rows), strict=True)
+    assert max(wide) == pytest.approx(desk.numbers["Half-width"], rel=1e-3)
+    assert max(pressures) == pytest.approx(largest, rel=1e-4)
+    name, content = desk.saved(desk.page.locator('[data-figure="axial"] .savers button', has_text="CSV"))
+    head, *rows = csv.reader(content.decode().splitlines())
+    assert (name, head) == ("axial.csv", ["panel", "line", "y [mm]", "z [mm]", "value", "unit"])
+    stresses = [float(row[4]) for row in rows if row[1] == "σ"]
+    assert max(stresses) == pytest.approx(desk.numbers["von Mises stress"], rel=0.05)
 
 
 def test_every_figure_is_saved(desk):

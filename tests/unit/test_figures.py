@@ -73,6 +73,43 @@ def test_csv_has_every_point_of_every_line(solution):
     assert {(panel, unit) for panel, _, _, _, unit in rows} == {("pressure", "MPa"), ("half-width", "mm")}
 
 
+def test_csv_of_colours_has_both_places_and_the_value(solution):
+    head, *rows = csv.reader(contact.footprint(solution).to_csv().splitlines())
+    assert head == ["panel", "line", "y [mm]", "x [mm]", "value", "unit"]
+    outline = {float(y): (float(x), float(p)) for _, _, y, x, p, _ in rows}
+    for y, half_width, p in zip(solution.y, solution.half_width, solution.centre_pressure, strict=True):
+        if p > 0.0:
+            assert outline[y] == (half_width, pytest.approx(p, rel=1e-12))
+    assert {(name, unit) for _, name, _, _, _, unit in rows} == {("p", "MPa")}
+    z = np.linspace(0.0, 1.0, 21)
+    field = axial_plane(solution, solution.y, z, body="a")
+    largest = stress.extremes_by_name(extremes(solution, body="a"))
+    head, *rows = csv.reader(stress.along_contact(solution, field, largest).to_csv().splitlines())
+    assert head == ["panel", "line", "y [mm]", "z [mm]", "value", "unit"]
+    values = [float(row[4]) for row in rows if row[1] == "σ"]
+    assert values == field.von_mises.ravel().tolist()
+    assert [float(row[3]) for row in rows[:21]] == z.tolist()
+    points = [row for row in rows if row[1].startswith("max. von Mises")]
+    assert [(float(row[2]), float(row[3]), *row[4:]) for row in points] == [
+        (largest["von_mises"].y, largest["von_mises"].z, "", "")
+    ]
+
+
+def test_csv_of_cells_has_their_middles_and_blanks_where_nothing_is():
+    values = np.array([[1.0, math.nan], [3.0, 4.0], [5.0, 6.0]])
+    cells = Cells(np.array([0.0, 1.0, 3.0, 4.0]), np.array([0.0, 2.0, 6.0]), values)
+    panel = Panel("map", "Map", Axis("y", "y", "mm"), [cells], "", colours=Axis("p", "p", "MPa"))
+    assert Figure(Axis("Angle", "angle", "°"), [panel]).to_csv().splitlines() == [
+        "panel,line,angle [°],y [mm],value,unit",
+        "map,p,0.5,1.0,1.0,MPa",
+        "map,p,0.5,4.0,,MPa",
+        "map,p,2.0,1.0,3.0,MPa",
+        "map,p,2.0,4.0,4.0,MPa",
+        "map,p,3.5,1.0,5.0,MPa",
+        "map,p,3.5,4.0,6.0,MPa",
+    ]
+
+
 def test_every_kind_of_mark_is_drawn(solution):
     sheet = sheet_of(contact.pressure(solution), "A roller")
     sheet.draw_without_rendering()

@@ -55,7 +55,8 @@ def test_a_result_is_saved_as_the_command_writes_it(tmp_path):
     solution = made().solve()
     names = [path.name for path in solution.save(tmp_path / "new", title="A roller")]
     assert [each for each in names if not each.endswith("svg")] == [
-        "footprint.png", "pressure.csv", "pressure.png", "profile.csv", "profile.png", "result.json", "table.csv"
+        "footprint.csv", "footprint.png", "pressure.csv", "pressure.png", "profile.csv", "profile.png", "result.json",
+        "table.csv",
     ]  # fmt: skip
     found = nh.read_result(tmp_path / "new" / "result.json")
     assert (found.case.title, found.solution.approach) == ("A roller", solution.approach)

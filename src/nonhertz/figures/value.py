@@ -7,7 +7,7 @@ contacts; who does not see has the numbers as a table and the description in wor
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal
 
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import amount
-from nonhertz.result.tables import csv_text
+from nonhertz.result.tables import csv_text, heading
 
 Array = NDArray[np.float64]
 Colour = Literal["first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"]
@@ -49,6 +49,11 @@ class Mark:
     colour: Colour = "first"
     dash: Dash = "solid"
 
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """What a table has of it, equally long: places along, upright, and what colours stand for; may be empty."""
+        return ()
+
 
 @dataclass(frozen=True, eq=False)
 class Line(Mark):
@@ -57,6 +62,11 @@ class Line(Mark):
     x: Array
     y: Array
     marked: bool = False
+
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """Its points."""
+        return self.x, self.y
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,6 +98,11 @@ class Area(Mark):
     values: Array
     power: float
 
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """Its outline, of which the mirror image is left out, and the values in its middle."""
+        return self.x, self.half_height, self.values
+
 
 @dataclass(frozen=True, eq=False)
 class Cells(Mark):
@@ -96,6 +111,12 @@ class Cells(Mark):
     x: Array
     y: Array
     values: Array
+
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """The middles of all cells."""
+        x, y = (0.5 * (edges[1:] + edges[:-1]) for edges in (self.x, self.y))
+        return _listed(x, y, self.values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,6 +127,11 @@ class Contours(Mark):
     y: Array
     values: Array
 
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """All places."""
+        return _listed(self.x, self.y, self.values)
+
 
 @dataclass(frozen=True, eq=False)
 class Points(Mark):
@@ -114,6 +140,11 @@ class Points(Mark):
     x: Array
     y: Array
     symbol: Symbol = "circle"
+
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """The points, if the legend has them; others mark places on lines."""
+        return (self.x, self.y) if self.name else ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +211,11 @@ class Whiskers(Mark):
     low: Array
     high: Array
     aside: float = 0.0
+
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """The ends of the bars."""
+        return self.x, self.y
 
 
 @dataclass(frozen=True, eq=False)
@@ -307,6 +343,19 @@ class Panel:
     beside: bool = False
     sideways: bool = False
 
+    @property
+    def rows(self) -> Iterator[list[Any]]:
+        """The rows of `Figure.to_csv`."""
+        for mark in self.marks:
+            # Points on a circle mark rollers.
+            numbers = () if self.round and isinstance(mark, Points) else mark.numbers
+            colours = self.colours if len(numbers) > 2 else None
+            axis = colours or self.upright
+            rest = [None, None] if self.colours and not colours else [axis.unit]
+            for row in zip(*(values.tolist() for values in numbers), strict=True):
+                cells = (number if math.isfinite(number) else None for number in row)
+                yield [self.name, mark.name or axis.symbol, *cells, *rest]
+
 
 @dataclass(frozen=True, eq=False)
 class Figure:
@@ -334,26 +383,29 @@ class Figure:
         """What all panels show, for those who do not see them."""
         return " ".join(panel.description for panel in self.panels)
 
-    @property
-    def has_lines(self) -> bool:
-        """Whether there is something for `to_csv` to write."""
-        return any(isinstance(mark, Line | Bars) for panel in self.panels for mark in panel.marks)
-
     def to_csv(self) -> str:
-        """Return the numbers of all lines and bars as CSV, in units of the program: one row for each point of each."""
-        rows = (
-            [panel.name, mark.name or panel.upright.symbol, x, y, panel.upright.unit]
-            for panel in self.panels
-            for mark in panel.marks
-            if isinstance(mark, Line | Bars)
-            for x, y in zip(mark.x.tolist(), mark.y.tolist(), strict=True)
-        )
-        return csv_text(["panel", "line", f"{self.along.symbol} [{self.along.unit}]", "value", "unit"], rows)
+        """Return the numbers of a figure as CSV, in units of the program: a row for each point of each mark.
+
+        The columns are panel, name or symbol, place along, value and its unit. Where colours stand for values, the
+        upright place comes before these: of cells their middles, of contours the points that they run between, of an
+        area half its height beside the value in its middle; lines and points have no value there. What is not finite is
+        an empty cell.
+        """
+        upright = next((panel.upright for panel in self.panels if panel.colours), None)
+        places = [heading(axis.symbol, axis.unit) for axis in (self.along, upright) if axis]
+        rows = (row for panel in self.panels for row in panel.rows)
+        return csv_text(["panel", "line", *places, "value", "unit"], rows)
 
     def to_json(self) -> dict[str, Any]:
         """Return what the page draws, as plain numbers; null for what is not finite, defaults left out."""
         sent: dict[str, Any] = _plain(self)
         return sent
+
+
+def _listed(x: Array, y: Array, values: Array) -> tuple[Array, ...]:
+    """Return a grid of values as a list of both places and a value each."""
+    along, upright = np.meshgrid(x, y, indexing="ij")
+    return along.ravel(), upright.ravel(), values.ravel()
 
 
 def _plain(value: Any) -> Any:

@@ -50,8 +50,7 @@ APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 def sheet_of(figure: Figure, title: str = "") -> Sheet:
     """Return a sheet with the panels of a figure, round ones side by side, all others one below the other."""
     sheet = _laid_out(figure, title)
-    if figure.has_lines:
-        NUMBERS[sheet] = figure.to_csv()
+    NUMBERS[sheet] = figure
     return sheet
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Literal
 from weakref import WeakKeyDictionary
 
+from nonhertz.figures.value import Figure as Values
 from nonhertz.plot.axes import Axes, Figure
 from nonhertz.plot.style import SIZE, TITLE_SIZE, sheet_style
 
@@ -26,8 +27,8 @@ STRETCHES = tuple(step * decade for decade in (1, 10, 100, 1000) for step in (1,
 
 PNG_DPI = 220
 
-NUMBERS: WeakKeyDictionary[Figure, str] = WeakKeyDictionary()
-"""What is drawn on a sheet, as CSV."""
+NUMBERS: WeakKeyDictionary[Figure, Values] = WeakKeyDictionary()
+"""What is drawn on a sheet."""
 
 
 def stretch_of(natural: float) -> float:
@@ -58,15 +59,15 @@ def save(figure: Figure, stem: str | Path) -> tuple[Path, Path]:
 
 
 def save_all(figures: Mapping[str, Figure], folder: Path) -> None:
-    """Write figures into a folder under their names, as `save` does, and the numbers of their lines as ``name``.csv.
+    """Write figures into a folder under their names, as `save` does, and the numbers of their marks as ``name``.csv.
 
     A table of that name that is there already stays, as it has them.
     """
     for name, figure in figures.items():
         save(figure, folder / name)
         path = folder / f"{name}.csv"
-        if not path.exists() and (text := NUMBERS.get(figure)):
-            path.write_text(text, encoding="utf-8", newline="\n")
+        if not path.exists() and (values := NUMBERS.get(figure)):
+            path.write_text(values.to_csv(), encoding="utf-8", newline="\n")
 
 
 def image(figure: Figure, kind: Literal["svg", "png"], dots: int = PNG_DPI) -> bytes:

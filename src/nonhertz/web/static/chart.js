@@ -1,6 +1,5 @@
 // What all figures share: margins, axes, common marks, and text alternatives.
 
-import { hasNumbers } from "./csv.js";
 import { element } from "./elements.js";
 import { save } from "./save.js";
 import { named, scaled } from "./units.js";
@@ -99,7 +98,7 @@ export function head(host, heading, key, remark = "") {
 
 /** Buttons that save a figure. @param {HTMLElement} host */
 function saversOf(host) {
-  const kinds = /** @type {("svg" | "png" | "csv")[]} */ (["svg", "png", ...(hasNumbers(host) ? ["csv"] : [])]);
+  const kinds = /** @type {("svg" | "png" | "csv")[]} */ (["svg", "png", "csv"]);
   const buttons = kinds.map((kind) =>
     element("button", { type: "button", "aria-label": `Save as ${kind.toUpperCase()}`, click: () => void save(host, kind) }, [
       kind.toUpperCase(),

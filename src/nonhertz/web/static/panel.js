@@ -24,7 +24,7 @@ import { digits } from "./numbers.js";
 
 /** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][], logarithmic?: boolean}} Axis */
 /** @typedef {{kind: string, name?: string, colour?: string, dash?: string} & Record<string, any>} Mark */
-/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean}} Panel */
+/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean, round?: boolean}} Panel */
 /** @typedef {{along: Axis, panels: Panel[], conditions?: string}} Figure */
 
 const HEIGHT = 240; // pixels, unless a panel says otherwise

@@ -10,7 +10,7 @@ const TOP = 26; // pixels for heading and legend
 const STYLES = ["fill", "stroke", "color", "stop-color", "font-family", "font-size", "font-weight", "font-style"];
 
 /**
- * Save the drawing of a figure, or the numbers of its lines.
+ * Save the drawing of a figure, or its numbers.
  * @param {HTMLElement} host
  * @param {"svg" | "png" | "csv"} kind
  */
