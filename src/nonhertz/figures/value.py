@@ -202,6 +202,11 @@ class Bars(Mark):
     width: float | Array
     aside: float = 0.0
 
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """The ends of the bars."""
+        return self.x, self.y
+
 
 @dataclass(frozen=True, eq=False)
 class Whiskers(Mark):
@@ -211,11 +216,6 @@ class Whiskers(Mark):
     low: Array
     high: Array
     aside: float = 0.0
-
-    @property
-    def numbers(self) -> tuple[Array, ...]:
-        """The ends of the bars."""
-        return self.x, self.y
 
 
 @dataclass(frozen=True, eq=False)
