@@ -17,6 +17,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from serving import post, running
 
 import nonhertz as nh
+from nonhertz.bearing.series import series_table
 from nonhertz.cli.serve import starting_document
 from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.casefile import starting_case
@@ -368,3 +369,37 @@ def test_what_was_solved_last_is_not_solved_again(monkeypatch):
     other = changed(FEW, "load", {"radial": 10000.0})
     found = json.loads(jobs.contact(other, 0, "inner"))["document"]
     assert found["load"]["load"] > 1.5 * first["load"][0][0]
+
+
+def test_a_catalogue_gives_a_bearing_and_says_what_is_estimated():
+    data = {"d": "30", "D": "62", "B": "16", "C": "44 kN", "C0": "36.5 kN", "F": "37.5", "E": "55.5"}
+    found = json.loads(jobs.catalogue(data))
+    assert tomllib.loads(found["text"]) == found["document"]
+    assert found["document"]["bearing"]["bore"] == 30.0
+    estimates = found["estimates"]["values"]
+    assert list(estimates) == ["bearing.rollers", "bearing.clearance", "roller.length", "inner.depth", "outer.depth"]
+    assert estimates["roller.length"] == found["document"]["roller"]["length"]
+    assert "bearing.clearance" not in json.loads(jobs.catalogue(data | {"clearance": "20 um"}))["estimates"]["values"]
+
+
+@pytest.mark.parametrize(
+    ("data", "sentence"),
+    [
+        ({}, "must have d, D, B, C and C0, too"),
+        ({"d": 30}, "must be short text"),
+        ({"d": "9" * 101}, "must be short text"),
+        ({"z": "1"}, "catalogue = 'z' must be a known symbol"),
+        ({"d": "30 kN", "D": "62", "B": "16", "C": "44", "C0": "36"}, "d = '30 kN' must have a unit of length"),
+    ],
+)
+def test_what_no_catalogue_has_is_refused_on_the_page(data, sentence):
+    found = json.loads(jobs.catalogue(data))
+    assert not found["ok"]
+    assert sentence in found["mistakes"][0]["sentence"]
+
+
+def test_series_are_those_of_the_kind():
+    kinds = form_schema("bearing")["$defs"]["RollerBearing"]["x-kinds"]
+    assert {kind: tuple(of["words"]["series"]) for kind, of in kinds.items()} == {
+        kind: tuple(series) for kind, series in series_table().items()
+    }

@@ -9,7 +9,9 @@ from desk import Desk
 from few_rollers import SIX, changed
 from numpy.testing import assert_allclose
 
+from nonhertz.bearing.series import series_table
 from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
 
 pytestmark = pytest.mark.browser
 
@@ -173,3 +175,58 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     wait_for_lines(bearing, "Roller 2 at 60.0 degrees")
     bearing.page.locator('[data-roller="3"]').click()
     assert bearing.page.locator("[data-contact]:disabled").count() == 2  # it bears no load
+
+
+CATALOGUE = {"d": "30", "D": "62 mm", "B": "16", "C": "44", "C0": "36500 N", "F": "37.5"}
+
+
+def started_from_catalogue(desk: Desk, data: dict[str, str], kind: str = "cylindrical") -> None:
+    desk.page.locator("[popovertarget=templates]").click()
+    desk.page.locator("#from-catalogue").click()
+    desk.page.locator("#catalogue select").select_option(kind)
+    for symbol, text in data.items():
+        desk.page.locator(f'#catalogue [name="{symbol}"]').fill(text)
+    desk.page.locator("#catalogue .primary").click()
+
+
+def estimated(desk: Desk) -> list[str]:
+    paths: list[str] = desk.page.locator("#case .estimated").evaluate_all("all => all.map(each => each.dataset.path)")
+    return paths
+
+
+def test_a_catalogue_begins_a_bearing_whose_estimates_are_marked(bearing):
+    before = bearing.answers
+    started_from_catalogue(bearing, CATALOGUE | {"C": "440"})
+    bearing.page.locator("#catalogue .mistake", has_text="which ISO 281 gives").wait_for()
+    bearing.page.locator('#catalogue [name="C"]').fill("44")
+    bearing.page.locator("#catalogue .primary").click()
+    bearing.page.locator("#catalogue").wait_for(state="hidden")
+    bearing.wait_for_answer(before)
+    assert bearing.mistakes == []
+    data = ["d=30", "D=62", "B=16", "C=44e3", "C0=36.5e3", "F=37.5"]
+    guess = guess_of_catalogue(dict(word.split("=") for word in data))
+    assert text_of(bearing) == text_of_guess(guess)
+    marked = ["bearing.rollers", "bearing.clearance", "roller.diameter", "roller.length", "inner.depth"]
+    assert estimated(bearing) == [*marked, "outer.diameter", "outer.depth"]
+    bearing.write("bearing.rollers", "12")
+    assert "bearing.rollers" not in estimated(bearing)
+    bearing.page.reload()
+    bearing.settle()
+    assert estimated(bearing) == [*marked[1:], "outer.diameter", "outer.depth"]
+    assert "36.50 kN" in bearing.page.locator("#case .estimates").inner_text()
+
+
+def test_undo_brings_back_the_bearing_before_a_catalogue(bearing):
+    before = bearing.answers
+    started_from_catalogue(
+        bearing, {"d": "30", "D": "72", "B": "20.75", "C": "59.5", "C0": "60", "e": "0.31"}, "tapered"
+    )
+    bearing.page.locator("#catalogue").wait_for(state="hidden")
+    bearing.wait_for_answer(before)
+    series = bearing.field("bearing.series").locator("option").all_inner_texts()
+    assert series == ["not given", *series_table()["tapered"]]
+    bearing.press("#undo")
+    assert text_of(bearing) == FEW
+    assert estimated(bearing) == []
+    bearing.press("#redo")
+    assert "roller.length" in estimated(bearing)

@@ -216,7 +216,7 @@ def test_own_attributes_that_are_damaged(rest, tmp_path):
 
 def test_an_inside_that_is_guessed(tmp_path):
     text = bearing_file_of_rexs(written(tmp_path, NEEDLES + INSIDE + CATALOGUED), 7)
-    assert "a guess of the inside of a tapered roller bearing" in text
+    assert "estimated internal geometry of a tapered roller bearing" in text
     assert "no loads of this bearing" in text
     assert tomllib.loads(text)["bearing"]["rollers"] == 14
 

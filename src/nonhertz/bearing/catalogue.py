@@ -22,7 +22,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -74,7 +74,7 @@ MOST_FACTOR = 1.5  # of C over that of ISO 281, either way
 # The diameter is searched on so many steps, each round on two of the last.
 _STEPS, _ROUNDS = 40, 4
 _LARGEST_BORE = 1000.0  # mm, to which the normal group of ISO 5753-1 is tabulated
-_IN_N = "give both ratings of the catalogue in N: 44 kN are 44e3"
+_IN_N = "check C and C0 of the catalogue: 44 kN are 44e3 N"
 _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
 
 
@@ -170,10 +170,10 @@ def from_catalogue(
     >>> guess = from_catalogue(30, 62, 16, 44e3, 36.5e3, inner_raceway=37.5, outer_raceway=55.5)
     >>> guess
     CatalogueGuess
-      a guess of the inside of a cylindrical roller bearing 30 x 62 x 16 mm
+      estimated internal geometry of a cylindrical roller bearing 30 x 62 x 16 mm
       13 rollers of 9.000 x 8.792 mm on a pitch circle of 46.50 mm: 37.5 and 55.5 mm at the raceways, which were given
       rollers take 80 % of the pitch circle, 56 % of the section and 55 % of the width
-      other numbers of rollers are less probable
+      other numbers are less probable
       C0 of 36.50 kN is met; C of 44.00 kN is 1.15 times that of ISO 281
       clearance 32.5 µm, the middle of the normal group; reference profile of ISO 16281
     >>> guess.bearing.rollers, guess.bearing.pitch
@@ -337,11 +337,13 @@ def _best(given: _Given, rollers: int) -> _Inside | None:
 def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
     """Return the bearing, whose rollers meet in one point with the raceways if they are tapered."""
     diameter, length, pitch = inside.diameter, inside.length, inside.pitch
+    known: dict[str, Any] = {"bore": given.bore, "outside_diameter": given.outside, "width": given.width}
+    known |= {"rollers": inside.rollers, "clearance": clearance}
     if given.kind != "tapered":
         roller = Roller(diameter=diameter, length=length, profile=profile.iso_logarithmic(diameter, length))
         make = NeedleRollerBearing if given.kind == "needle" else CylindricalRollerBearing
         inner, outer = _rings(given, pitch - diameter, pitch + diameter)
-        return make(roller=roller, inner=inner, outer=outer, rollers=inside.rollers, clearance=clearance)
+        return make(roller=roller, inner=inner, outer=outer, **known)
     half = half_cone(diameter / pitch, given.angle)
     axis = math.tan(given.angle - half)
     low, high = (pitch * math.tan(each) / axis for each in (given.angle - 2.0 * half, given.angle))
@@ -349,10 +351,10 @@ def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
     narrowing = TabulatedDiameter((-0.5 * length, 0.5 * length), tuple(ends.tolist()))
     roller = Roller(diameter=narrowing, length=length, profile=profile.iso_tapered(diameter, length))
     inner, outer = _rings(given, low, high)
+    angle = given.angle
     return TaperedRollerBearing(
-        roller=roller, inner=inner, outer=outer, rollers=inside.rollers, pitch_diameter=pitch,
-        contact_angle=given.angle, clearance=clearance,
-    )  # fmt: skip
+        roller=roller, inner=inner, outer=outer, pitch_diameter=pitch, contact_angle=angle, **known
+    )
 
 
 def half_cone(share: float, angle: float) -> float:
@@ -410,10 +412,10 @@ def _sentences(
     size = f"{mm(given.bore, given.outside, given.width, between=' x '):g}"
     roller, pitch = f"{mm(inside.diameter, inside.length, between=' x '):4}", f"{mm(inside.pitch):4}"
     found = [
-        f"a guess of the inside of a {given.kind} roller bearing {size}",
+        f"estimated internal geometry of a {given.kind} roller bearing {size}",
         f"{inside.rollers} rollers of {roller} on a pitch circle of {pitch}: {of_pitch}",
         f"rollers take {fill} % of the pitch circle, {section} % of the section and {length} % of the width",
-        f"about as probable: {low} to {high} rollers" if low < high else "other numbers of rollers are less probable",
+        f"{low} to {high} rollers are about as probable" if low < high else "other numbers are less probable",
         f"C0 of {newton(given.static):4} is met; C of {newton(given.dynamic):4} is "
         f"{digits(inside.factor, 3)} times that of ISO 281",
         f"clearance {um(clearance):3}{why if usual_clearance else ''}; reference profile of ISO 16281",

@@ -11,7 +11,7 @@ from nonhertz.cli.options import Words, named_as, path_and_value
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.catalogue import bearing_of_catalogue
+from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
 from nonhertz.files.documents import write_new
 from nonhertz.files.planfile import read_any, starting_plan
 
@@ -65,13 +65,14 @@ def new(
         raise InputError("--case", str(case), "be given with --plan", "add that, or leave it out")
     folder = Path() if path is None else path.parent
     file = folder / "case.toml" if case is None else case
-    with named_as(template="--template", component="--component", rexs="--rexs"):
+    with named_as(template="--template", component="--component", rexs="--rexs", catalogue="--catalogue"):
         if rexs is not None:
             from nonhertz.files.rexs import bearing_file_of_rexs  # loaded for it alone
 
             text = bearing_file_of_rexs(rexs, component)
         elif catalogue:
-            text = bearing_of_catalogue(dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue))
+            data = dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue)
+            text = text_of_guess(guess_of_catalogue(data))
         elif case is not None:
             text = starting_plan(read_any(case), folder)
         else:

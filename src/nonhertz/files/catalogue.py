@@ -1,4 +1,4 @@
-"""A bearing file from what stands in a catalogue, with what is guessed as comments."""
+"""A bearing file from the data in a catalogue, with comments on what is estimated."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ _EXAMPLE: Final = "d=30 D=62 B=16 C=44kN C0=36.5kN"
 _STEEL, _OF_LOAD, _SPEED, _DIGITS, _COLUMNS = "100Cr6", 0.1, 1000.0, 6, 100
 
 
-def bearing_of_catalogue(given: Mapping[str, str]) -> str:
-    """Return the text of a bearing file whose inside is guessed.
+def guess_of_catalogue(given: Mapping[str, str]) -> CatalogueGuess:
+    """Return the bearing that is estimated from the data in a catalogue.
 
     Parameters
     ----------
@@ -57,20 +57,19 @@ def bearing_of_catalogue(given: Mapping[str, str]) -> str:
         if symbol == "kind":
             values["kind"] = value
         elif symbol not in SYMBOLS:
-            raise unknown("--catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
+            raise unknown("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
         else:
             name, unit = SYMBOLS[symbol]
             values[name] = _number(symbol, value, unit)
     absent = [symbol for symbol in NEEDED if symbol not in given]
     if absent:
         shown = " ".join(f"{symbol}={value}" for symbol, value in given.items())
-        raise InputError("--catalogue", shown, f"have {joined(absent)}, too", f"add them, such as {_EXAMPLE}")
+        raise InputError("catalogue", shown, f"have {joined(absent)}, too", f"add them, such as {_EXAMPLE}")
     try:
-        guess = from_catalogue(**values)
+        return from_catalogue(**values)
     except InputError as error:
         symbols = {name: symbol for symbol, (name, _) in SYMBOLS.items()}
         raise error.about(symbols.get(error.field, error.field), error.value) from None
-    return _text(guess)
 
 
 def _number(symbol: str, text: str, unit: str) -> float:
@@ -80,7 +79,8 @@ def _number(symbol: str, text: str, unit: str) -> float:
         return number_in(symbol, text, unit)
 
 
-def _text(guess: CatalogueGuess) -> str:
+def text_of_guess(guess: CatalogueGuess) -> str:
+    """Return a bearing file with an estimated bearing."""
     first, *others = guess.sentences
     words = [f"For 'nonhertz bearing': {first}. Replace what you know.", *(f"- {sentence}" for sentence in others)]
     words.append(f"- load ({100.0 * _OF_LOAD:g} % of C) and speed are examples: put yours in their place")

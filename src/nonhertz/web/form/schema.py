@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any, Final
 
+from nonhertz.bearing.series import series_table
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.documents import parsed
@@ -27,7 +28,8 @@ def form_schema(file: str) -> Schema:
     """Return the JSON schema of a case file or a bearing file with hints.
 
     Of a table, ``x-pairs`` lists keys of which one is given in place of the other, ``x-apart`` groups of which no two
-    are, and ``x-kinds`` has by kind the keys and those that are needed. Of a key, ``x-words`` are the names that may
+    are, and ``x-kinds`` has by kind the keys, those that are needed, and words of keys of which others are for other
+    kinds. Of a key, ``x-words`` are the names that may
     stand for it, and ``x-names`` tells its two values apart, of which one alone is that of the number ``x-single``. The
     schema of a bearing has documents of all kinds in ``x-examples``.
     """
@@ -69,7 +71,9 @@ def _objects(place: Schema) -> Iterator[Schema]:
 
 def _of_kind(word: str, kind: Table) -> Schema:
     of_body = "diameter" in kind.keys
-    return {"keys": list(kind.keys), "needed": _NEEDED.get(word, ("diameter",)) if of_body else kind.required}
+    words = {"series": [*series_table()[word]]} if "series" in kind.keys else {}
+    needed = _NEEDED.get(word, ("diameter",)) if of_body else kind.required
+    return {"keys": list(kind.keys), "needed": needed, "words": words}
 
 
 def _hints(key: Key) -> Schema:

@@ -151,6 +151,7 @@ BEARING: Final = Kind(
         # By the process that has solved it by strips already.
         "roller": Question(jobs.lines, ("method", "roller"), "patient", "bearing"),
         "contact": Question(jobs.contact, ("roller", "ring"), "patient", "bearing"),
+        "catalogue": Question(jobs.catalogue, command="new"),
         "download/bearing.toml": Question(jobs.file, ("text",)),
         "download/report.html": Question(partial(jobs.report, kind=BearingCase), (), "apart", "report"),
         **{

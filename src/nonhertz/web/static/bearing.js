@@ -1,5 +1,6 @@
 // The page of a bearing: by slices at every edit, by strips when the hand rests.
 
+import { watchCatalogue } from "./catalogue.js";
 import { figure, head, whenResized } from "./chart.js";
 import { noteNumbers } from "./csv.js";
 import { byId } from "./elements.js";
@@ -257,7 +258,7 @@ async function openContact(ring) {
     const response = await post("bearing/contact", { document: work.document, roller: roller(), ring });
     const answer = await response.json();
     if (answer.ok) {
-      await work.address.put(work.document, work.pins, work.text, { roller: page.chosen }); // to come back to
+      await work.put(); // to come back to
       window.location.assign(`contact${await fragment(answer.document)}`);
     } else showMistakes(answer.mistakes);
   } catch {
@@ -280,5 +281,15 @@ byId("case").addEventListener("keydown", ({ target }) => {
 byId("most").addEventListener("click", () => choose(null));
 for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
   document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
+watchCatalogue(async (data) => {
+  try {
+    const answer = await (await post("bearing/catalogue", { document: data })).json();
+    if (!answer.ok) return answer.mistakes[0].sentence;
+    await work.another(answer);
+    return "";
+  } catch {
+    return AWAY;
+  }
+});
 whenResized(drawPictures);
 await work.begin();

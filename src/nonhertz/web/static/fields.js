@@ -10,7 +10,7 @@ import { read, unitsCode } from "./units.js";
 
 const STEPS = 1000; // positions of a slider
 const SLOPE = "um/mm"; // a unit to which the angle is not proportional
-const [FIGURES, FEWER] = [12, 6]; // the latter of what was given in other units
+const [FIGURES, FEWER] = [12, 6]; // the latter in units whose factor is no power of ten
 const PLAIN = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
 const NUMERIC = ["quantity", "integer-or-word"];
 
@@ -89,9 +89,10 @@ export function shownIn(value, base, name, chosen) {
   if (kept) return { text: written.number, word: written.unit };
   const usual = chosen ?? usualUnit(base, name, Math.abs(number));
   const word = chosen ?? (known[readIn(usual)] ? readIn(usual) : usual);
-  // Without the digits that dividing by a unit adds.
-  const figures = word === usual ? FIGURES : FEWER;
-  return { text: String(Number(outOf(number, word, known[word] ?? 1).toPrecision(figures))), word };
+  const size = known[word] ?? 1;
+  // Without the digits that a factor such as that of degrees adds.
+  const figures = Math.abs(Math.log10(size) % 1) < 1e-9 ? FIGURES : FEWER;
+  return { text: String(Number(outOf(number, word, size).toPrecision(figures))), word };
 }
 
 /** The number in a unit as the document has it. @param {number} value in the base unit */

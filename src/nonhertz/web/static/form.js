@@ -46,6 +46,8 @@ export class Form {
     this.page = page;
     this.schema = new Schema(start.schema, start.lists);
     this.state = start.state;
+    /** @type {import("./types.js").Estimates | null} */
+    this.estimates = null;
     this.rest = 0;
     /** @type {Set<string>} paths of tables that are left out where all of their keys are */
     this.optional = new Set();
@@ -120,6 +122,12 @@ export class Form {
     this.page.drawn();
   }
 
+  /** Whether the value at a path is still the one that was estimated. @param {string} path */
+  isEstimate(path) {
+    const { [path]: value } = this.estimates?.values ?? {};
+    return value !== undefined && JSON.stringify(value) === JSON.stringify(valueAt(this.document, path));
+  }
+
   /** The range of the slider at a place, if there is one. @param {Place} place */
   range(place) {
     const body = Object.keys(this.state.bodies).find((path) => pathOf(place).startsWith(`${path}.`));
@@ -174,7 +182,16 @@ export class Form {
 
 /** @param {{form: Form, document: any}} props */
 function Whole({ form, document }) {
-  return html`<${Members} ...${{ form, table: form.schema.whole, value: document, place: [] }} />`;
+  return html`<${Estimates} form=${form} /><${Members} ...${{ form, table: form.schema.whole, value: document, place: [] }} />`;
+}
+
+/** What was estimated, as long as any of it is in the document. @param {{form: Form}} props */
+function Estimates({ form }) {
+  const { values, sentences } = form.estimates ?? { values: {}, sentences: [] };
+  if (!Object.keys(values).some((path) => form.isEstimate(path))) return null;
+  return html`<details class="estimates" open><summary>Estimated from catalogue data</summary>
+    <p>Fields with a dashed frame are estimates: replace what you know. Load and speed are examples.</p>
+    <ul>${sentences.map((sentence) => html`<li>${sentence}</li>`)}</ul></details>`;
 }
 
 /** A table as it was drawn before, if neither it nor geometry or mistakes are others: a drag changes one value. */
@@ -276,7 +293,8 @@ function Kind({ form, table, value, place, others }) {
 function Member({ form, table, within, place, value }) {
   const { schema } = form;
   const name = String(lastOf(place));
-  const holds = schema.key(table.properties[name]);
+  const all = schema.key(table.properties[name]);
+  const holds = { ...all, words: table["x-kinds"]?.[within.kind]?.words[name] ?? all.words };
   const usual = name === "depth" ? form.state.bodies[outer(pathOf(place))]?.depth : holds.usual;
   const props = { form, place, holds, value, usual, within, swap: alternatives(form, table, place) };
   if (holds.names) return html`<${OneOrTwo} ...${props} />`;
@@ -448,11 +466,13 @@ function Group({ place, label = labelOf(place), help, before, quiet, children })
 function Row({ form, place, label = labelOf(place), swap = [], help = "", removable, style = "", children }) {
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
   const words = `which of: ${swap.map((each) => each.label).join("; ")}`;
-  return html`<div class="field ${style} ${marked.has(path) ? "wrong" : ""}" data-path=${path}>
+  const estimated = form?.isEstimate(path);
+  const state = marked.has(path) ? "wrong" : estimated ? "estimated" : "";
+  return html`<div class="field ${style} ${state}" data-path=${path}>
     ${swap.length > 0 && html`<${Swap} ...${{ form, options: swap }} aria-label=${words} />`}
     <label class=${swap.length ? "unseen" : ""} for=${id}>${label}</label>${children}
     ${removable && html`<${Remove} ...${{ form, place, label: path }} />`}
-    <p class="help" id="${id}-help">${help}</p><${Sentence} of=${path} id="${id}-mistake" /></div>`;
+    <p class="help" id="${id}-help">${estimated && "Estimated from catalogue data: "}${help}</p><${Sentence} of=${path} id="${id}-mistake" /></div>`;
 }
 
 /** What is wrong with a field, or with a group as a whole. */

@@ -123,10 +123,10 @@ function Content({ measured, upload, stale }) {
   const body = bodyNamed(measured.body);
   const input = useRef(/** @type {any} */ (null));
   return html`
-    <div class="measured-head">
+    <div class="dialog-head">
       <h2 id="measured-title">Measured profile for ${body}</h2>
       <button type="button" onClick=${() => measured.dialog.close()}>Close</button></div>
-    <div class="measured-body ${stale ? "stale" : ""}">
+    <div class="dialog-body ${stale ? "stale" : ""}">
       <div class="picker">
         <button type="button" onClick=${() => input.current.click()}>Choose ${upload ? "another" : "a"} file…</button>
         <input type="file" id="measured-file" hidden aria-label="measured profile" ref=${input}
@@ -158,7 +158,7 @@ function Options({ measured, upload }) {
     ([option, words, placeholder]) => html`<label class="choice">${words}
       <input type="text" value=${of(option)} placeholder=${placeholder} onChange=${take(option)} /></label>`,
   );
-  return html`<div class="measured-options">
+  return html`<div class="options">
     <fieldset><legend>Steps</legend>${switches}</fieldset>
     <fieldset><legend>Reading</legend>${choices}${typed}</fieldset></div>`;
 }
@@ -178,7 +178,7 @@ function Outcome({ measured, upload, body }) {
       <table>${answer.roughness.map(
         ([name, ...cells]) => html`<tr><th>${name}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`,
       )}</table></details>
-    <p class="measured-foot">
+    <p class="dialog-foot">
       <button type="button" class="primary" id="measured-use" onClick=${() => measured.useIt(upload)}>
         Use as profile of ${body}</button>
       <span class="hint">${answer.table.y.length} points, replacing the profiles of ${body}</span></p>`;

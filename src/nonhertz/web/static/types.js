@@ -19,6 +19,7 @@
  *   planes?: Record<"axial" | "section", import("./panel.js").Figure>,
  *   stress?: import("./results.js").KeyNumber,
  * }} Answer
+ * @typedef {{values: Record<string, any>, sentences: string[]}} Estimates values of a document by their paths
  * @typedef {{ok: false, mistakes: Mistake[], profiles?: Profiles}} Refusal
  * @typedef {{
  *   id: number, name: string, document: object, answer: any, stressed?: Answer | null,

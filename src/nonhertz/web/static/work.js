@@ -28,7 +28,7 @@ import { watchUnits } from "./units.js";
  *   pin: (pins: Pin[]) => void,
  *   solve: (document: object) => Promise<any>,
  *   drawn?: () => void,
- *   looked?: () => object | null,
+ *   looked?: () => object,
  *   begun?: () => void,
  *   again: (result: Result) => void,
  *   renamed?: () => void,
@@ -49,6 +49,8 @@ export class Work {
     this.start = start;
     this.page = page;
     this.text = start.text; // of the file, for its comments
+    /** @type {import("./types.js").Estimates | null} */
+    this.estimates = null;
     /** @type {Pin[]} */
     this.pins = [];
     this.count = 0; // of all that were pinned
@@ -63,7 +65,7 @@ export class Work {
       bodies: page.bodies,
       edited: (document, since) => {
         notice("link", "");
-        this.edits.note({ document, text: this.text });
+        this.edits.note({ document, text: this.text, estimates: this.estimates });
         this.keep();
         page.want(document, since);
       },
@@ -74,7 +76,7 @@ export class Work {
       },
       measured: (body) => this.measured.open(body),
     });
-    this.edits = new Edits({ document: start.document, text: start.text }, () => {
+    this.edits = new Edits({ document: start.document, text: start.text, estimates: null }, () => {
       byId("undo").disabled = !this.edits.can(-1);
       byId("redo").disabled = !this.edits.can(1);
     });
@@ -87,13 +89,24 @@ export class Work {
 
   /** Begin with the document in the address, if there is one. */
   async begin() {
-    if (await this.fromLink()) this.edits.restart({ document: this.document, text: this.text });
-    else this.page.want(this.document);
+    if (await this.fromLink(history.state?.estimates)) {
+      this.edits.restart({ document: this.document, text: this.text, estimates: this.estimates });
+    } else this.page.want(this.document);
   }
 
   /** Keep the document in the address. */
   keep() {
-    this.address.keep(this.document, this.pins, this.text, this.page.looked?.());
+    this.address.keep(this.document, this.pins, this.text, this.looked());
+  }
+
+  /** What is kept beside the document, but is no part of it. */
+  looked() {
+    return { ...this.page.looked?.(), estimates: this.estimates };
+  }
+
+  /** Put the document into the address now. */
+  put() {
+    return this.address.put(this.document, this.pins, this.text, this.looked());
   }
 
   /** Draw the profiles of the bodies, beside the pinned ones. @param {any} profiles */
@@ -112,22 +125,23 @@ export class Work {
     }
   }
 
-  /** Begin with another document. @param {object} document @param {string} text of its file */
-  async another(document, text) {
+  /** Begin with another document. @param {any} beginning with the text of its file, and what in it is estimated */
+  async another(beginning) {
     this.page.begun?.();
-    await this.show(document, text);
+    await this.show(beginning);
   }
 
-  /** Show a document, which was read from a text. @param {object} document @param {string} text */
-  async show(document, text) {
+  /** @param {{document: object, text: string, estimates?: import("./types.js").Estimates | null}} beginning */
+  async show({ document, text, estimates = null }) {
     this.text = text;
+    this.estimates = this.form.estimates = estimates;
     return await this.form.open(document);
   }
 
   /** @param {-1 | 1} by */
   async step(by) {
     const found = this.edits.step(by);
-    if (found) await this.show(found.document, found.text);
+    if (found) await this.show(found);
   }
 
   /** Undo and redo, except in text fields, which have their own undo. @param {KeyboardEvent} event */
@@ -194,7 +208,7 @@ export class Work {
   }
 
   async copyLink() {
-    const link = await this.address.put(this.document, this.pins, this.text, this.page.looked?.());
+    const link = await this.put();
     const button = byId("share");
     try {
       await navigator.clipboard.writeText(link);
@@ -223,7 +237,7 @@ export class Work {
     try {
       const { document, text, mistakes } = await opened(file, this.start.limits.document_bytes, this.page.what);
       if (!document) showMistakes(mistakes);
-      else await this.another(document, text);
+      else await this.another({ document, text });
     } catch {
       notice("program", AWAY);
     }
@@ -233,8 +247,7 @@ export class Work {
   async startFrom(name) {
     byId("templates").hidePopover();
     try {
-      const { document, text } = await (await fetch(`${this.page.at}template/${name}`)).json();
-      await this.another(document, text);
+      await this.another(await (await fetch(`${this.page.at}template/${name}`)).json());
     } catch {
       notice("program", AWAY);
     }
@@ -252,14 +265,14 @@ export class Work {
     if (this.pins.length) await this.pinAll(this.pins);
   }
 
-  /** Show the document in the address, if it holds one. */
-  async fromLink() {
+  /** Show the document in the address, if it holds one. @param {import("./types.js").Estimates} [estimates] */
+  async fromLink(estimates) {
     try {
       const found = await shared(window.location.hash);
       if (!found) return false;
       this.pins = [];
       void this.pinAll(found.pinned);
-      return await this.show(found.document, found.text);
+      return await this.show({ ...found, estimates });
     } catch (error) {
       notice("link", /** @type {Error} */ (error).message);
       return false;

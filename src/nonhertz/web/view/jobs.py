@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypeVar
@@ -11,8 +12,10 @@ from typing import Any, Final, Literal, TypeVar
 from nonhertz.amounts import chosen
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
+from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
 from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.catalogue import guess_of_catalogue, guessed_document, text_of_guess
 from nonhertz.files.commented import as_toml_like
 from nonhertz.files.documents import parsed
 from nonhertz.files.held import HeldCase
@@ -32,6 +35,10 @@ Held = TypeVar("Held", bound=HeldCase)
 #: a contact need not wait for strips again.
 _LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
 _KEPT: Final = 3
+#: What a catalogue says of a bearing, by its symbols; what depends on several is worked out.
+_STATED: Final = {"clearance": "bearing.clearance", "F": "inner.diameter", "E": "outer.diameter"}
+_LONGEST_NUMBER: Final = 100  # characters
+_BOUNDARY: Final = ("bearing.bore", "bearing.outside_diameter", "bearing.width", "bearing.contact_angle")
 
 
 def sound(document: dict[str, Any], kind: type[Held]) -> Held:
@@ -123,6 +130,31 @@ def document_in(content: bytes) -> dict[str, Any]:
     document = as_json_has_it(parsed(text, "The file"))
     refuse(too_long(document))
     return {"ok": True, "document": document, "text": text}
+
+
+@job
+def catalogue(data: dict[str, Any]) -> dict[str, Any]:
+    """Answer with a bearing estimated from the data in a catalogue: document, text, and what is estimated."""
+    if not all(isinstance(value, str) and len(value) <= _LONGEST_NUMBER for value in data.values()):
+        return broken([("", "Each number of a catalogue must be short text, such as '44 kN'.")])
+    guess = guess_of_catalogue(data)
+    document = guessed_document(guess)
+    stated = {*_BOUNDARY, *(path for symbol, path in _STATED.items() if symbol in data)}
+    if {"F", "E"} <= data.keys():
+        stated.add("roller.diameter")
+    parts = {name: document[name] for name in ("bearing", *PARTS)}
+    values = {path: value for path, value in _numbers(parts) if path not in stated}
+    estimates = {"values": values, "sentences": guess.sentences[1:]}
+    return {"ok": True, "document": document, "text": text_of_guess(guess), "estimates": estimates}
+
+
+def _numbers(table: Mapping[str, Any], place: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the paths of numbers, and of lists of them, with what they are."""
+    for name, value in table.items():
+        if isinstance(value, Mapping):
+            yield from _numbers(value, f"{place}{name}.")
+        elif isinstance(value, int | float) or (isinstance(value, list) and isinstance(value[0], float)):
+            yield f"{place}{name}", value
 
 
 def as_json_has_it(value: Any) -> Any:
