@@ -34,6 +34,19 @@ SPLIT_RUNS = 101
 MANY_ROUNDS = 9
 BELOW_ROUNDS = 5
 PARTS = ("the core", "Python around it")
+# The site's table of contents shows these below the page.
+CONTENTS = """```{toctree}
+:hidden:
+
+race
+against
+page
+first-picture
+bearings
+gradients
+studies
+```
+"""
 
 
 def main() -> None:

@@ -41,7 +41,7 @@ Written by `docs/model_study.py`; do not edit. What the choices are is in
 
 The choice is that of the roller, all of steel; the ring is a half-space without ends. The first row of each table is
 the whole roller with free ends, whose displacements agree with [three-dimensional finite
-elements](../validation/validation.md) within 0.3 %; the others differ from it by as many per cent. *Moment* is that at
+elements](../validation/index.md) within 0.3 %; the others differ from it by as many per cent. *Moment* is that at
 the given tilt, *stiffness* the derivative of load by approach; *near the end* is the pressure one half-width inside the
 contact, at its more heavily loaded end. The lives are those of the ring relative to a uniform line contact, by Lundberg
 and Palmgren's integral over the volume and by the laminae of ISO/TS 16281.

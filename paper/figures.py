@@ -48,7 +48,7 @@ def found(text: str, pattern: str) -> tuple[str, ...]:
 
 def numbers() -> dict[str, str]:
     """Return the numbers of the text, by the names in the template."""
-    overview = (VALIDATION / "validation.md").read_text(encoding="utf-8")
+    overview = (VALIDATION / "index.md").read_text(encoding="utf-8")
     checks, passed, failed, shown = found(overview, r"\n\| all \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|")
     judged = int(passed) + int(failed)
     results = json.loads((BENCHMARKS / "results.json").read_text(encoding="utf-8"))

@@ -58,7 +58,7 @@ def test_every_page_can_be_reached():
 
 def test_every_page_is_linked_where_there_is_no_table_of_contents():
     # GitHub shows a table of contents as it is written, without links.
-    for folder in ("how-to", "explain", "reference"):
+    for folder in ("how-to", "explain", "reference", "tutorials", "validation", "benchmarks"):
         index = DOCS / folder / "index.md"
         linked = {link.partition("#")[0] for link in LINK.findall(index.read_text(encoding="utf-8"))}
         assert {page.name for page in index.parent.glob("*.md")} - {"index.md"} <= linked, folder
