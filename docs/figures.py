@@ -34,6 +34,7 @@ from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.traces import read_trace
 from nonhertz.plot import bearing_figures, figures, life_figure, measured_figure, save, stress_figures
 from nonhertz.plot.sheets import WIDTH
+from nonhertz.plot.studies import study_lines
 from nonhertz.plot.style import (
     END_DASHES,
     FAINT_INK,
@@ -51,6 +52,7 @@ ROOT = Path(__file__).parents[1]
 FIGURES = ROOT / "docs" / "figures"
 TUTORIAL = ROOT / "docs" / "tutorials" / "first-solve.md"
 BEARING_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-life.md"
+EDGE_LOADING = ROOT / "docs" / "how-to" / "edge-loading.md"
 # Picture's name to the example it is of, and which of its figures the documents show.
 EXAMPLES = {
     "bearing": ("cylindrical-roller-bearing", ("pressure",)),
@@ -85,6 +87,7 @@ def main() -> None:
     draw_measured("measured-roller")
     draw_bearing("whole-bearing")
     draw_bearing_tutorial("bearing-life")
+    draw_edge_loading("edge-loading")
     for page in (TUTORIAL, BEARING_TUTORIAL):
         page.write_text(with_output(page.read_text(encoding="utf-8")), encoding="utf-8")
         print(f"wrote {page.relative_to(ROOT)}")
@@ -173,16 +176,36 @@ def draw_bearing(stem: str) -> None:
 
 def draw_bearing_tutorial(stem: str) -> None:
     """Write the pictures of the bearing's tutorial, from its own lines of Python up to them."""
-    before, found, _ = BEARING_TUTORIAL.read_text(encoding="utf-8").partition("## 5 Look at the figures")
-    if not found:
+    before, step, _ = BEARING_TUTORIAL.read_text(encoding="utf-8").partition("## 5 Look at the figures")
+    if not step:
         raise ValueError(f"{BEARING_TUTORIAL} has no step for figures")
-    names: dict[str, Any] = {}
-    for block in PYCON.findall(before):
-        for example in doctest.DocTestParser().get_examples(block):
-            exec(compile(example.source, BEARING_TUTORIAL.name, "exec"), names)
-    drawn = bearing_figures(names["first"], "NU 206 in first gear")
+    drawn = bearing_figures(run_examples(before)["first"], "NU 206 in first gear")
     for name in ("loads", "pressure", "roller"):
         write(drawn[name], f"{stem}-{name}")
+
+
+def draw_edge_loading(stem: str) -> None:
+    """Write the chart of pressure and life over misalignment, from the page's own lines of Python."""
+    results = run_examples(EDGE_LOADING.read_text(encoding="utf-8"))
+    tilts = 1e3 * results["tilts"]
+    with sheet_style():
+        figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
+        pressure, life = figure.subplots(1, 2)
+        tilt = "Misalignment [mrad]"
+        study_lines(tilts, results["pressures"], pressure, x_label=tilt, y_label="Largest pressure [MPa]")
+        study_lines(tilts, results["lives"], life, x_label=tilt, y_label="Life L10r [million revolutions]")
+        life.get_legend().remove()
+        pressure.set_ylim(bottom=0)
+    write(figure, stem)
+
+
+def run_examples(page: str) -> dict[str, Any]:
+    """Run a page's lines of Python; return their variables."""
+    names: dict[str, Any] = {}
+    for block in PYCON.findall(page):
+        for example in doctest.DocTestParser().get_examples(block):
+            exec(compile(example.source, "page", "single"), names)
+    return names
 
 
 def draw_finite_bodies() -> None:
