@@ -118,7 +118,7 @@ def test_the_readme_prints_what_it_says_and_its_bearing_is_that_of_the_file(tmp_
     exec(bearing, names)
     file = tmp_path / "nu206.toml"
     assert main(["new", "--bearing", str(file)]) == 0
-    np.testing.assert_allclose(nh.read_bearing(file).solve().max_pressure, names["found"].max_pressure, rtol=1e-9)
+    np.testing.assert_allclose(nh.read_bearing(file).solve().max_pressure, names["solution"].max_pressure, rtol=1e-9)
 
 
 def plans():
