@@ -133,4 +133,4 @@ $(READY): $(INSTALLED)
 	@touch $@
 
 clean:
-	rm -rf $(VENV) dist out docs/gallery build src/nonhertz/_core*.so src/nonhertz/_core*.pyd
+	rm -rf $(VENV) dist out docs/gallery docs/reference/api/classes build src/nonhertz/_core*.so src/nonhertz/_core*.pyd

@@ -1,7 +1,8 @@
 """The reference of Python, from the docstrings: the directive ``public-names`` for one module.
 
-First a table of the names with a line each, then every name in full. Without a list of its own the directive takes all
-public names of the module, so that none can be forgotten.
+First a table of the names with a line each, then every function and constant in full; each class has a page of its own,
+written to reference/api/classes before the sources are read. Without a list of its own the directive takes all public
+names of the module, so that none can be forgotten.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import inspect
 import pydoc
 import re
 import sys
+from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -22,11 +24,15 @@ from sphinx.util.docutils import SphinxDirective
 import nonhertz
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from docutils import nodes
     from sphinx.application import Sphinx
     from sphinx.environment import BuildEnvironment
 
 
+CLASSES = "classes"  # folder of their pages, beside the pages of the modules
+DIRECTIVE = re.compile(r"^\.\. public-names:: (\S+)\n((?:\n|   .*\n)*)", re.MULTILINE)
 SEVERAL = re.compile(r"\w+(?:, \w+)+(?= : )")
 
 _HELD: dict[str, list[str]] = {}
@@ -55,13 +61,47 @@ class PublicNames(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """Return the table and the entries."""
-        module = importlib.import_module(self.arguments[0])
-        names = [line.strip() for line in self.content if line.strip()] or public_names(module)
-        lines = [f".. currentmodule:: {self.arguments[0]}", "", ".. autosummary::", "   :nosignatures:", ""]
+        home = self.arguments[0]
+        module = importlib.import_module(home)
+        names = _listed(module, self.content)
+        lines = [f".. currentmodule:: {home}", "", ".. autosummary::", "   :nosignatures:", ""]
         lines += [f"   {name}" for name in names if _documented(module, name)]
+        classes = [name for name in names if _has_page(module, name)]
+        if classes:
+            lines += ["", ".. toctree::", "   :hidden:", "", *(f"   {CLASSES}/{home}.{name}" for name in classes)]
         for name in names:
-            lines += ["", *_entry(module, name)]
+            if name not in classes:
+                lines += ["", *_entry(module, name)]
         return self.parse_text_to_nodes(StringList(lines, source=self.get_source_info()[0]))
+
+
+def write_class_pages(app: Sphinx) -> None:
+    """Write a page for each class that a directive lists, and delete those of classes that are gone."""
+    folder = Path(app.srcdir, "reference", "api")
+    pages = {}
+    for page in folder.glob("*.rst"):
+        for home, names in DIRECTIVE.findall(page.read_text(encoding="utf-8")):
+            module = importlib.import_module(home)
+            for name in filter(lambda name: _has_page(module, name), _listed(module, names.splitlines())):
+                title = f"{home}.{name}"
+                lines = [title, "=" * len(title), "", f".. currentmodule:: {home}", "", *_entry(module, name), ""]
+                pages[folder / CLASSES / f"{title}.rst"] = "\n".join(lines)
+    (folder / CLASSES).mkdir(exist_ok=True)
+    for old in set((folder / CLASSES).iterdir()) - set(pages):
+        old.unlink()
+    for path, text in pages.items():
+        # A page that is left as it was is not built again.
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+
+
+def _listed(module: ModuleType, lines: Iterable[str]) -> list[str]:
+    return [line.strip() for line in lines if line.strip()] or public_names(module)
+
+
+def _has_page(module: ModuleType, name: str) -> bool:
+    value = getattr(module, name)
+    return inspect.isclass(value) and not issubclass(value, BaseException)
 
 
 def _documented(module: ModuleType, name: str) -> bool:
@@ -155,6 +195,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     # Users write nonhertz.profile, which lives among the models.
     sys.modules["nonhertz.profile"] = nonhertz.profile
     app.add_directive("public-names", PublicNames)
+    app.connect("builder-inited", write_class_pages)
     for listener, priority in (
         (hold, 400),
         (join_names, 400),

@@ -20,12 +20,13 @@ from nonhertz.cli import main
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-GENERATED = DOCS / "gallery"
+GENERATED = {DOCS / "gallery", DOCS / "reference" / "api" / "classes"}
 API = DOCS / "reference" / "api"
 SHOWN_ELSEWHERE = [
     ROOT / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "examples/README.md")
 ]
-PAGES = sorted(path for path in DOCS.rglob("*") if path.suffix in {".md", ".rst"} and GENERATED not in path.parents)
+WRITTEN = (path for path in DOCS.rglob("*") if GENERATED.isdisjoint(path.parents))
+PAGES = sorted(path for path in WRITTEN if path.suffix in {".md", ".rst"})
 MARKDOWN = [path for path in (*PAGES, *SHOWN_ELSEWHERE) if path.suffix == ".md"]
 HOW_TOS = [*sorted((DOCS / "how-to").glob("*.md")), DOCS / "tutorials" / "bearing-life.md"]
 
