@@ -9,7 +9,7 @@ from case_file_keys import list_table
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
-from nonhertz.amounts import given
+from nonhertz.amounts import format_input
 from nonhertz.model.materials import LIBRARY, Listed
 
 if TYPE_CHECKING:
@@ -48,9 +48,9 @@ def _row(each: Listed) -> tuple[str, ...]:
     numbers = (material.modulus, material.poisson, material.yield_strength, material.core_yield_strength)
     return (
         ", ".join(f"``{name}``" for name in (each.name, *each.others)),
-        *("" if value is None else given(value) for value in numbers),
+        *("" if value is None else format_input(value) for value in numbers),
         material.hardness or "",
-        "" if material.pressure_limit is None else given(material.pressure_limit),
+        "" if material.pressure_limit is None else format_input(material.pressure_limit),
         f"{each.density:.3g}",
         "" if each.expansion is None else f"{each.expansion:.3g}",
         each.source,

@@ -124,7 +124,7 @@ SYSTEMS: Final[Mapping[str, Units]] = MappingProxyType({units.code: units for un
 _CHOSEN: ContextVar[Units] = ContextVar("units", default=SI)
 
 
-def chosen() -> Units:
+def current_units() -> Units:
     """Return the units in which people read results in this context."""
     return _CHOSEN.get()
 
@@ -143,7 +143,7 @@ def choose_units(code: str) -> None:
 
 
 @contextlib.contextmanager
-def read_in(code: str) -> Iterator[None]:
+def display_units(code: str) -> Iterator[None]:
     """Show results in the units of a code within a ``with`` statement; raise what `choose_units` does."""
     before = _CHOSEN.get()
     choose_units(code)
@@ -178,7 +178,7 @@ class Amount:
     '20.000 kN, 0.0322 mm, 9 mm, 12.300 µm, 0.50000 MPa'
     >>> f"{newton(0.0, 20000.0, -310.0)}; {newton(820.0, 830.0, between=' and '):3}"
     '0, 20.000, -0.31000 kN; 820 and 830 N'
-    >>> with read_in("us"):
+    >>> with display_units("us"):
     ...     f"{newton(20000.0)}, {mm(9.0):g}, {um(0.0123)}, {mpa(0.5):4}"
     '4496.2 lbf, 0.3543 in, 484.25 µin, 72.52 psi'
     """
@@ -199,19 +199,19 @@ class Amount:
         """Return the numbers as text, and the unit that they share."""
         (factor, unit), precision = self.scale, spec.strip(".g")
         if not spec.endswith("g"):
-            return [digits(factor * value, int(precision or 5)) for value in self.values], unit
+            return [format_digits(factor * value, int(precision or 5)) for value in self.values], unit
         most = int(precision or 6)
-        if chosen() is SI:
-            return [given(factor * value, most) for value in self.values], unit
+        if current_units() is SI:
+            return [format_input(factor * value, most) for value in self.values], unit
         # An input converted to other units has not become more exact by that.
         si = self._scale_in(SI)[0]
         exact = [min(most, max(_FEWEST, _written(si * value, most))) for value in self.values]
-        return [given(factor * value, number) for value, number in zip(self.values, exact, strict=True)], unit
+        return [format_input(factor * value, number) for value, number in zip(self.values, exact, strict=True)], unit
 
     @property
     def scale(self) -> tuple[float, str]:
         """What turns the values into numbers that people read, and the unit of these."""
-        return self._scale_in(chosen())
+        return self._scale_in(current_units())
 
     def _scale_in(self, units: Units) -> tuple[float, str]:
         size = SIZES.get(self.read or self.unit, 1.0)
@@ -287,20 +287,20 @@ class EndStrength:
     @property
     def apart(self) -> tuple[float, str, str]:
         """The strength in the units that are read, and the units of pressure and of length."""
-        (pressure, stress), (length, distance) = chosen().of("MPa"), chosen().of("mm")
+        (pressure, stress), (length, distance) = current_units().of("MPa"), current_units().of("mm")
         return self.value * stress * distance**self.exponent, pressure, length
 
     def __str__(self) -> str:
         value, pressure, length = self.apart
-        return f"{digits(value, 4)} {pressure} {length}^{self.exponent:.3g}"
+        return f"{format_digits(value, 4)} {pressure} {length}^{self.exponent:.3g}"
 
 
-def loaded(load: float, tilt: float) -> str:
+def describe_load(load: float, tilt: float) -> str:
     """Return a load [N] and a tilt [rad] in words.
 
     Examples
     --------
-    >>> loaded(20000.0, 0.0), loaded(500.0, 5e-4)
+    >>> describe_load(20000.0, 0.0), describe_load(500.0, 5e-4)
     ('20 kN without tilt', '500 N at 0.5 mrad')
     """
     return f"{newton(load):.5g} {f'at {mrad(tilt):.4g}' if tilt else 'without tilt'}"
@@ -319,12 +319,12 @@ def of_dimension(values: Iterable[float], unit: str, between: str = " to ") -> A
     return amount(values, unit, "um" if small else "mrad" if unit == "rad" else "", between)
 
 
-def digits(value: float, significant: int = 5) -> str:
+def format_digits(value: float, significant: int = 5) -> str:
     """Return a number with this many significant digits, without an exponent unless it is very small or large.
 
     Examples
     --------
-    >>> digits(0.0322131), digits(20000.0), digits(0.999999), digits(1.23456789e9), digits(0.0)
+    >>> format_digits(0.0322131), format_digits(20000.0), format_digits(0.999999), format_digits(1.23456789e9), format_digits(0.0)
     ('0.032213', '20000', '1.0000', '1.2346e+09', '0')
     """
     if value == 0.0 or not math.isfinite(value):
@@ -336,36 +336,36 @@ def digits(value: float, significant: int = 5) -> str:
     return f"{value:.{max(0, significant - 1 - decade)}f}"
 
 
-def given(value: float, significant: int = 6) -> str:
+def format_input(value: float, significant: int = 6) -> str:
     """Return an input number without insignificant zeros.
 
     Examples
     --------
-    >>> given(9.0), given(0.000523598775598), given(207000.0), given(2.5e-7), given(57.3, 1)
+    >>> format_input(9.0), format_input(0.000523598775598), format_input(207000.0), format_input(2.5e-7), format_input(57.3, 1)
     ('9', '0.000523599', '207000', '2.5e-07', '57')
     """
-    mantissa, exponent, power = digits(value, significant).partition("e")
+    mantissa, exponent, power = format_digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
 
 
 def _written(value: float, most: int) -> int:
     """Return with how many significant digits a number is written, of which zeros at the end are none."""
-    mantissa = given(value, most).partition("e")[0]
+    mantissa = format_input(value, most).partition("e")[0]
     return len(mantissa.lstrip("-").replace(".", "").strip("0")) if math.isfinite(value) else most
 
 
-def in_column(values: Iterable[float], significant: int = 5) -> list[str]:
+def format_column(values: Iterable[float], significant: int = 5) -> list[str]:
     """Return numbers that stand below one another: with the decimals that suit the largest of them.
 
     Examples
     --------
-    >>> in_column([3.80971, 0.903454, 0.0018632, 0.0])
+    >>> format_column([3.80971, 0.903454, 0.0018632, 0.0])
     ['3.8097', '0.9035', '0.0019', '0']
     """
     values = tuple(values)
-    largest = digits(max(map(abs, values), default=0.0), significant)
+    largest = format_digits(max(map(abs, values), default=0.0), significant)
     if "e" in largest:
-        return [digits(value, significant) for value in values]
+        return [format_digits(value, significant) for value in values]
     decimals = len(largest.partition(".")[2])
     return [f"{value:.{decimals}f}" if value else "0" for value in values]
 
@@ -397,7 +397,7 @@ def with_error(shown: Amount, error: float) -> str:
     factor, unit = shown.scale
     value, error = factor * shown.values[0], factor * error
     if not (math.isfinite(error) and error > 0.0):
-        return f"{digits(value)} +- {digits(error)} {unit}".rstrip()
+        return f"{format_digits(value)} +- {format_digits(error)} {unit}".rstrip()
     place = 1 - math.floor(math.log10(error))
     # Nothing below zero is left of -0.4 that is rounded; the sum of -0.0 and 0.0 has no sign.
     return (
@@ -417,7 +417,7 @@ def error_words(relative: float) -> str:
         return "error unknown"
     if relative >= 1.0:
         return "error as large as the number"
-    return f"error {about(relative)}" if relative > _ROUNDING else ""
+    return f"error {format_error(relative)}" if relative > _ROUNDING else ""
 
 
 def worth_reading(relative: float) -> str:
@@ -431,12 +431,12 @@ def worth_reading(relative: float) -> str:
     return str(min(5, max(2, 1 - math.floor(math.log10(relative))))) if 0.0 < relative < math.inf else ""
 
 
-def about(relative: float) -> str:
+def format_error(relative: float) -> str:
     """Return an estimated relative error in per cent: of an estimate, one digit is worth reading.
 
     Examples
     --------
-    >>> about(0.112), about(0.0042)
+    >>> format_error(0.112), format_error(0.0042)
     ('about 10 %', 'about 0.4 %')
     """
-    return f"about {given(float(f'{100.0 * relative:.1g}'), 1)} %"
+    return f"about {format_input(float(f'{100.0 * relative:.1g}'), 1)} %"

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import Amount, EndStrength, read_in
+from nonhertz.amounts import Amount, EndStrength, display_units
 from nonhertz.errors import AccuracyWarning
 
 
@@ -30,11 +30,11 @@ class Finding:
 
     Examples
     --------
-    >>> from nonhertz.amounts import mm, read_in
+    >>> from nonhertz.amounts import display_units, mm
     >>> found = finding("cut-off", "The strips end at y = {y:.6g}.", y=mm(9.5))
     >>> str(found), found.kind
     ('The strips end at y = 9.5 mm.', 'cut-off')
-    >>> with read_in("us"):
+    >>> with display_units("us"):
     ...     str(found)
     'The strips end at y = 0.374 in.'
     """
@@ -53,7 +53,7 @@ class Finding:
 
     def as_object(self) -> dict[str, Any]:
         """Return kind, sentence and numbers for programs: in mm, N, MPa and rad."""
-        with read_in("si"):
+        with display_units("si"):
             return {"kind": self.kind, "sentence": str(self), "numbers": dict(self._plain())}
 
     def _plain(self) -> Iterator[tuple[str, Any]]:

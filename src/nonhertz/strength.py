@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, Final, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, given, mm, mpa
+from nonhertz.amounts import format_digits, format_input, mm, mpa
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
@@ -375,7 +375,7 @@ class _Question:
             return _unknown("pressure", words, unasked=True)
         ratio = largest / allowed
         # A bearing has an S0 of its own, C0 / P0.
-        safety = "" if self.where else f"static safety S0 = {digits(ratio**-2.0, 3)}"
+        safety = "" if self.where else f"static safety S0 = {format_digits(ratio**-2.0, 3)}"
         limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
             what = f"The largest pressure of {{pressure}}{self.where}"
@@ -499,7 +499,7 @@ class _Question:
 
 
 def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "", /, **numbers: Any) -> Check:
-    percent = given(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
+    percent = format_input(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
     compared = f"is {percent} % of {noun.rstrip(',')}" if ratio <= 1.0 else f"exceeds {noun} by {percent} %"
     words = f"{what} {compared}{f': {then}' if then else ''}."
     return Check(name, _verdict(ratio), ratio, finding(name, words, allowed=mpa(allowed), **numbers))

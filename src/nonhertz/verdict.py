@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import loaded, mpa
+from nonhertz.amounts import describe_load, mpa
 from nonhertz.bearing.section import RINGS
 from nonhertz.errors import joined
 from nonhertz.findings import Finding, finding
@@ -147,7 +147,9 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search
 
 def of_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
     """Return the worst verdict on a contact under several loads; of pairs, each with something else such as a share."""
-    return worst_of({f"under {loaded(solution.load, solution.tilt)}": of_contact(solution) for solution, _ in solved})
+    return worst_of(
+        {f"under {describe_load(solution.load, solution.tilt)}": of_contact(solution) for solution, _ in solved}
+    )
 
 
 def with_life(verdict: Verdict | None, life: float | None, required: float | None) -> Verdict | None:

@@ -14,7 +14,7 @@ import pytest
 import nonhertz as nh
 import nonhertz.plot
 import nonhertz.show.analysis
-from nonhertz.amounts import digits
+from nonhertz.amounts import format_digits
 from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
 from nonhertz.files.schemas import schema_of
@@ -228,7 +228,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
     monkeypatch.setattr("nonhertz.report.layout.image", lambda *_: b"<svg></svg>")
     assert main(["life", "dent.toml", "--out", "out"]) == 0
     life = coarse.relative_life(nonhertz.life.zaretsky(), dents=10)
-    sentence = f"10 dents in the raceway of body b leave this part of its life: {digits(life, 4)} (zaretsky)."
+    sentence = f"10 dents in the raceway of body b leave this part of its life: {format_digits(life, 4)} (zaretsky)."
     assert sentence in capsys.readouterr().out
     assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png"}
     (of_zaretsky, of_laminae) = json.loads(Path("out/life.json").read_text(encoding="utf-8"))["models"]

@@ -8,7 +8,7 @@ import pytest
 
 import nonhertz as nh
 import nonhertz.solver.one
-from nonhertz.amounts import digits
+from nonhertz.amounts import format_digits
 from nonhertz.files.several import HEAD
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -35,7 +35,7 @@ def test_a_row_for_each_case(cases, run):
     assert printed.out.startswith("Pressure unbounded in one.toml. ")
     expected = [nh.read_case(case).solve() for case in cases]
     for case, solution in zip(cases, expected, strict=True):
-        assert digits(solution.load) in rows[case]
+        assert format_digits(solution.load) in rows[case]
         assert rows[case][-2] == str(len(solution.warnings))
         assert rows[case][-1] in {"warning", "warnings"}
     assert sum(line[:1] == ["warning:"] for line in lines) == sum(len(each.warnings) for each in expected)

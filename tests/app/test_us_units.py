@@ -16,7 +16,7 @@ from rich.console import Console
 
 import nonhertz as nh
 from nonhertz import plot
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.cli import main, printing
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
@@ -181,7 +181,7 @@ def columns(sections: list[Section]) -> Iterator[tuple[str, str, list[str]]]:
 
 
 def sections_in(units: str, made: Callable[[], list[Section]]) -> list[Section]:
-    with read_in(units):
+    with display_units(units):
         return made()
 
 
@@ -229,7 +229,7 @@ def drawn() -> tuple[Any, ...]:
 def figures_in(units: str) -> dict[str, Figure]:
     """Return figures of a contact and of a bearing."""
     solution, largest, bearing = drawn()
-    with read_in(units):
+    with display_units(units):
         found = plot.figures(solution) | plot.stress_figures(solution, *largest)
         others = plot.bearing_figures(bearing)
         return found | {f"bearing-{name}": figure for name, figure in others.items()}

@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose
 from test_bad_input import MISTAKES
 
 import nonhertz as nh
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
@@ -218,7 +218,7 @@ def test_what_is_hardly_a_case_is_answered(document):
 @settings(deadline=None, suppress_health_check=list(HealthCheck))
 @given(changed_documents(changed(solver__strips=15)), st.booleans())
 def test_whatever_is_in_a_case_it_is_answered(document, in_us_units):
-    with read_in("us" if in_us_units else "si"):
+    with display_units("us" if in_us_units else "si"):
         assert_answered(answer(document))
 
 

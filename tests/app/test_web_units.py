@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.web.server.guard import UNITS as HEADER
@@ -49,7 +49,7 @@ def numbers(found: Any, leaving: tuple[str, ...] = ("ms", "sliders", "factor", "
 
 
 def in_us_units(job: Any, *arguments: Any) -> Any:
-    with read_in("us"):
+    with display_units("us"):
         return json.loads(job(*arguments))
 
 

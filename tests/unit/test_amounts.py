@@ -14,13 +14,13 @@ from nonhertz.amounts import (
     EndStrength,
     amount,
     choose_units,
-    chosen,
+    current_units,
+    display_units,
     mm,
     mpa,
     mrad,
     newton,
     newton_mm,
-    read_in,
     um,
     with_error,
 )
@@ -77,26 +77,26 @@ def test_inch_and_pound_are_exact():
 )
 def test_text_of_amounts(found, spec, si, us):
     assert format(found, spec) == si
-    with read_in("us"):
+    with display_units("us"):
         assert format(found, spec) == us
 
 
 def test_errors_keep_their_second_digit():
-    with read_in("us"):
+    with display_units("us"):
         assert with_error(mm(4361.8), 1034.0) == "172 +- 41 in"
         assert with_error(mpa(1308.0), 5.0) == "189.71 +- 0.73 ksi"
 
 
 def test_the_strength_of_an_end_has_a_power_of_a_length():
-    with read_in("us"):
+    with display_units("us"):
         assert str(EndStrength(348.4, 0.5)) == "10.03 ksi in^0.5"
 
 
 def test_units_are_chosen_for_a_context():
     inside = copy_context()
     inside.run(choose_units, "us")
-    assert inside.run(chosen) is US
-    assert chosen() is SI
+    assert inside.run(current_units) is US
+    assert current_units() is SI
 
 
 def test_other_units_are_refused():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.figures import bearing, contact, stress
 from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.overlay import compared_contacts
@@ -48,7 +48,7 @@ def test_json_has_numbers_in_units_of_the_program_and_what_is_read(solution):
     line = next(mark for mark in upper["marks"] if mark["kind"] == "line")
     assert max(line["y"]) == solution.centre_pressure.max()
     assert (upper["upright"]["factor"], upper["upright"]["title"]) == (1.0, "Pressure p₀ [MPa]")
-    with read_in("us"):
+    with display_units("us"):
         read = figure.to_json()["panels"][0]
     assert read["upright"]["unit"] == "ksi"
     assert read["upright"]["factor"] == pytest.approx(0.1450377)

@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz import plot
-from nonhertz.amounts import digits
+from nonhertz.amounts import format_digits
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.plot.studies import histogram
 from nonhertz.plot.style import INK, SIZE, sheet_style
@@ -111,7 +111,7 @@ class TestPressure:
         plot.pressure(solution, ax)
         low, high = (text for text in ax.texts if "no limit" in text.get_text())
         for text, end in zip((low, high), solution.edge_pressure, strict=True):
-            expected = f"no limit, p ∼ K / s$^{{0.226}}$\nK = {digits(end.strength, 4)} MPa mm$^{{0.226}}$"
+            expected = f"no limit, p ∼ K / s$^{{0.226}}$\nK = {format_digits(end.strength, 4)} MPa mm$^{{0.226}}$"
             assert text.get_text() == expected
         # Each stands on the inner side of its end.
         assert (low.get_ha(), high.get_ha()) == ("left", "right")

@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 import nonhertz as nh
-from nonhertz.amounts import given
+from nonhertz.amounts import format_input
 from nonhertz.strength import CRITERIA, Verdict, assess
 from nonhertz.subsurface import extremes
 
@@ -147,7 +147,7 @@ def test_static_safety_is_the_square_of_the_pressures(plain, largest):
     found = assess(with_material(plain, pressure_limit=2.0 * plain.max_pressure), largest=largest)
     assert found.static_safety == pytest.approx(4.0, rel=1e-12)
     assert found.checks[0].sentence.endswith(
-        f"MPa is 50 % of the limit of body a, {given(2.0 * plain.max_pressure)} MPa: static safety S0 = 4.00."
+        f"MPa is 50 % of the limit of body a, {format_input(2.0 * plain.max_pressure)} MPa: static safety S0 = 4.00."
     )
     over = assess(with_material(plain, pressure_limit=0.8 * plain.max_pressure), largest=largest)
     assert over.static_safety == pytest.approx(0.64, rel=1e-12)
@@ -229,7 +229,7 @@ def test_a_corner_within_the_contact_leaves_no_confident_number():
 @pytest.mark.slow
 def test_both_bodies_and_both_methods():
     strips = crowned(**KNOWN)
-    patch = crowned(solve=lambda *case, **given: nh.patch.solve(*case, cells=(24, 64), **given), **KNOWN)
+    patch = crowned(solve=lambda *case, **options: nh.patch.solve(*case, cells=(24, 64), **options), **KNOWN)
     # Grid: 24 cells across resolve the pressure to a per cent.
     assert assess(patch).yield_ratio == pytest.approx(assess(strips).yield_ratio, rel=0.02)
     other = assess(strips, body="b")

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.amounts import mm, read_in
+from nonhertz.amounts import display_units, mm
 from nonhertz.files.planfile import Plan
 from nonhertz.show.sections import Table
 from nonhertz.show.studies import sweep_sections
@@ -334,7 +334,7 @@ def _ends_at_three(number):
 
 @pytest.mark.slow
 def test_processes_find_all_in_any_order_and_say_it_in_the_units_that_are_read():
-    with read_in("us"):
+    with display_units("us"):
         assert sorted(Workers().portions(_length, range(20), 2)) == [(number, f"{number} in") for number in range(20)]
 
 

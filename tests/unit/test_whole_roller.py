@@ -11,7 +11,7 @@ from nonhertz.bodies import smooth_part, solid_rollers
 from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials, with_kinks
 from nonhertz.bodies.influence import influence_of
 from nonhertz.bodies.smooth_part import fading, response_matrix, terms_along
-from nonhertz.bodies.stored import stored
+from nonhertz.bodies.stored import cache_on_disk
 from nonhertz.bodies.whole_roller import whole_roller
 from nonhertz.model.outline import Outline
 from nonhertz.strip.influence import displacements
@@ -240,21 +240,21 @@ def test_arrays_are_computed_once_and_kept_on_disk(tmp_path, monkeypatch):
         made.append(value)
         return np.array([value, 1.0])
 
-    first, second = stored(__name__)(make), stored(__name__)(make)  # as in two processes
+    first, second = cache_on_disk(__name__)(make), cache_on_disk(__name__)(make)  # as in two processes
     for kept in (first, first, second):
         np.testing.assert_array_equal(kept(2.5), [2.5, 1.0])
     assert made == [2.5]
     assert not first(2.5).flags.writeable
     (file,) = tmp_path.iterdir()
     file.write_bytes(file.read_bytes()[:-3])
-    np.testing.assert_array_equal(stored(__name__)(make)(2.5), [2.5, 1.0])
+    np.testing.assert_array_equal(cache_on_disk(__name__)(make)(2.5), [2.5, 1.0])
     assert made == [2.5, 2.5]
 
 
 def test_arrays_are_computed_where_nothing_can_be_kept(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("NONHERTZ_CACHE_DIR", str(tmp_path / "file"))
-    np.testing.assert_array_equal(stored(__name__)(lambda value: np.array([value]))(3.0), [3.0])
+    np.testing.assert_array_equal(cache_on_disk(__name__)(lambda value: np.array([value]))(3.0), [3.0])
 
 
 @pytest.mark.parametrize(("half_length", "poisson"), [(0.11, 0.3), (0.1999, 0.02), (0.73, 0.3), (1.37, 0.475)])

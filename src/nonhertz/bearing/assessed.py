@@ -20,7 +20,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nonhertz.amounts import digits, newton
+from nonhertz.amounts import format_digits, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing
 from nonhertz.bearing.laminae import lamina_life, lamina_means, life_factors, singular_ends
 from nonhertz.bearing.lubrication import (
@@ -184,7 +184,7 @@ class BearingLife(HasFindings):
         said = [
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
             f"P = {newton(self.equivalent_load)}, S0 = {_or_none(self.static_safety, 3)}",
-            f"L10 = {_or_none(self.basic_life)}, L10r = {digits(self.reference_life, 4)} million revolutions",
+            f"L10 = {_or_none(self.basic_life)}, L10r = {format_digits(self.reference_life, 4)} million revolutions",
             self._modified(),
         ]
         if self.internally_loaded:
@@ -192,7 +192,9 @@ class BearingLife(HasFindings):
         if self.no_reference:
             said[1:3] = [f"L10 = {_or_none(self.basic_life)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
-            said.append(f"under {len(self.parts)} loads for {digits(sum(share for _, share in self.parts), 3)} of it")
+            said.append(
+                f"under {len(self.parts)} loads for {format_digits(sum(share for _, share in self.parts), 3)} of it"
+            )
         if self.assumed:
             said.append(f"assumed: {', '.join(dict(each.numbers)['default'] for each in self.assumed)}")
         return plain_text("BearingLife", [*said, *self.warnings])
@@ -200,21 +202,23 @@ class BearingLife(HasFindings):
     def _modified(self) -> str:
         factors, of_oil = self.factors
         kind, why = ("rated", f"; {self.no_modified}") if self.no_modified else ("modified", "")
-        said = f"{kind} {digits(self.rated_life, 4)} million revolutions: {factors}"
+        said = f"{kind} {format_digits(self.rated_life, 4)} million revolutions: {factors}"
         return said + (f" with {' and '.join(of_oil)}" if of_oil else "") + why
 
     @property
     def factors(self) -> tuple[str, tuple[str, ...]]:
         """The factors of L10r in words, and what a_ISO is made of, as far as it is known."""
-        factors = [f"a1 = {digits(self.reliability_factor, 3)}"]
+        factors = [f"a1 = {format_digits(self.reliability_factor, 3)}"]
         if self.life_factor is not None:
-            factors.append(f"a_ISO = {'none' if self.no_reference else digits(self.life_factor, 4)}")
+            factors.append(f"a_ISO = {'none' if self.no_reference else format_digits(self.life_factor, 4)}")
         of_oil = ("kappa", self.viscosity_ratio), ("e_C", self.contamination)
-        return ", ".join(factors), tuple(f"{name} = {digits(each, 3)}" for name, each in of_oil if each is not None)
+        return ", ".join(factors), tuple(
+            f"{name} = {format_digits(each, 3)}" for name, each in of_oil if each is not None
+        )
 
 
 def _or_none(value: float, significant: int = 4) -> str:
-    return "none" if math.isnan(value) else digits(value, significant)
+    return "none" if math.isnan(value) else format_digits(value, significant)
 
 
 def _reliability(name: str, value: float, remedy: str) -> None:

@@ -26,7 +26,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from nonhertz.amounts import digits, mm, newton, um
+from nonhertz.amounts import format_digits, mm, newton, um
 from nonhertz.bearing.bearings import CylindricalRollerBearing, NeedleRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.fits import clearance_limits
 from nonhertz.bearing.parts import MOST_ROLLERS
@@ -406,7 +406,7 @@ def _sentences(
         else f"{given.usual.pitch:g} times the mean of bore and outside diameter"
     )
     shares = (inside.fill, inside.diameter / given.section, inside.length / given.width)
-    fill, section, length = (digits(100.0 * share, 2) for share in shares)
+    fill, section, length = (format_digits(100.0 * share, 2) for share in shares)
     low, high = rollers
     why = ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"
     size = f"{mm(given.bore, given.outside, given.width, between=' x '):g}"
@@ -417,7 +417,7 @@ def _sentences(
         f"rollers take {fill} % of the pitch circle, {section} % of the section and {length} % of the width",
         f"{low} to {high} rollers are about as probable" if low < high else "other numbers are less probable",
         f"C0 of {newton(given.static):4} is met; C of {newton(given.dynamic):4} is "
-        f"{digits(inside.factor, 3)} times that of ISO 281",
+        f"{format_digits(inside.factor, 3)} times that of ISO 281",
         f"clearance {um(clearance):3}{why if usual_clearance else ''}; reference profile of ISO 16281",
     ]  # fmt: skip
     return tuple(found)

@@ -20,7 +20,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Annotated, Any, Literal
 
-from nonhertz.amounts import given, mpa, um
+from nonhertz.amounts import format_input, mpa, um
 from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range
 from nonhertz.bearing.joints import fits_of
@@ -337,7 +337,7 @@ def _strain(name: str, expansion: float | None, material: Material, temperature:
     if expansion is None:
         expansion = STEEL_EXPANSION if temperature == REFERENCE else expansion_of(material)
     if expansion is None:
-        of = f"a part of {mpa(material.modulus):g} at {given(temperature)} degC"
+        of = f"a part of {mpa(material.modulus):g} at {format_input(temperature)} degC"
         condition = f"be given for {of}, of which the library has none"
         raise InputError(name, None, condition, "give it in 1/K, 23e-6 for aluminium")
     return expansion * (temperature - REFERENCE)

@@ -18,7 +18,7 @@ from nonhertz.bearing.laws import OVERLAP, ContactLaw, for_core
 from nonhertz.bearing.strips import unsolved
 from nonhertz.life.lamina import roller_stiffness
 from nonhertz.native import core
-from nonhertz.solver.refusals import in_words
+from nonhertz.solver.refusals import refusal_in_words
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -154,7 +154,7 @@ def balanced(
     except core.Unsolved as error:
         raise unsolved(error) from None
     except core.Refused as refused:  # of contacts on strips
-        raise in_words(refused, math.nan, (math.nan, math.nan)) from None
+        raise refusal_in_words(refused, math.nan, (math.nan, math.nan)) from None
     assert found is not None  # nobody stops it but by a signal, whose exception passes
     return States(*found)
 

@@ -35,7 +35,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits
+from nonhertz.amounts import format_digits
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.laminae import singular_ends
 from nonhertz.bearing.ratings import Rating, rating
@@ -125,9 +125,9 @@ class VolumeLife(HasFindings, ReadOnly):
         lives = (self.inner, self.outer, self.rollers)
         said = [
             f"{self.model.name}, in million revolutions",
-            ", ".join(f"{name} {digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
-            f"rings {digits(self.rings, 4)}, with rollers {digits(self.bearing, 4)}: {digits(self.relative_life, 3)} "
-            "of that under even loads",
+            ", ".join(f"{name} {format_digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
+            f"rings {format_digits(self.rings, 4)}, with rollers {format_digits(self.bearing, 4)}: "
+            f"{format_digits(self.relative_life, 3)} of that under even loads",
             *self.warnings,
         ]
         return plain_text("VolumeLife", said)

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
 
-from nonhertz.amounts import digits, mpa, newton
+from nonhertz.amounts import format_digits, mpa, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, SphericalRollerBearing
 from nonhertz.bearing.friction import reference_speed
 from nonhertz.bearing.pairs import Paired
@@ -177,7 +177,7 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     met = axial <= by[least]
     words = "Ribs bear {load:4} along the axis; {reason} allows {limit:4} for long, twice that briefly (SKF 2018"
     words += "{where}{other})."
-    where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {digits(ratio, 3)}"
+    where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {format_digits(ratio, 3)}"
     factor, other = (row.of_series or {}).get("rib"), ""
     if factor is not None and not grease:
         mean = 0.5 * (sizes["bore"] + sizes["outside_diameter"])
@@ -210,7 +210,9 @@ def _speed(solution: BearingSolution, static: float, speed: float) -> Iterator[L
     if not met:
         words = "The speed of {speed} 1/min exceeds the thermal speed rating of {limit} 1/min (ISO 15312): "
         words += "whether the bearing stays cool is not judged."
-    yield Limit(True if met else None, finding("speed", words, speed=digits(speed, 4), limit=digits(limit, 3)))
+    yield Limit(
+        True if met else None, finding("speed", words, speed=format_digits(speed, 4), limit=format_digits(limit, 3))
+    )
 
 
 def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:

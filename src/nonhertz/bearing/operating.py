@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from nonhertz.amounts import digits, mpa, um
+from nonhertz.amounts import format_digits, mpa, um
 from nonhertz.bearing.fits import Range
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
@@ -169,7 +169,7 @@ class OperatingClearance(HasFindings):
 def _said(name: str, fit: InterferenceFit) -> list[str]:
     state = ", loosened" if fit.loosened else ""
     if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
-        state = f", comes loose at {digits(fit.loosening_speed, 3)}/min"
+        state = f", comes loose at {format_digits(fit.loosening_speed, 3)}/min"
     return [
         f"{name} fit: pressure {mpa(fit.mounted_pressure):4} mounted, {mpa(fit.pressure):4} in operation{state}",
         f"{name} ring: hoop stress {mpa(fit.seat_stress):4} at the seat, {mpa(fit.raceway_stress):4} at the raceway",

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import digits, given, mrad, um
+from nonhertz.amounts import format_digits, format_input, mrad, um
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.pairs import Paired
@@ -87,7 +87,7 @@ class ForceTable(ReadOnly):
             f"{name} {(mrad if name.startswith('about') else um)(axis[0], axis[-1], between=' to '):.4g} in {axis.size}"
             for name, axis in zip(self.names, self.axes, strict=True)
         ]
-        at = f", at {given(self.speed)} 1/min of the {self.turning} ring" if self.speed else ""
+        at = f", at {format_input(self.speed)} 1/min of the {self.turning} ring" if self.speed else ""
         said = [
             f"{' and '.join(rows)}, by {self.method}{at}",
             "; ".join(grid),
@@ -104,7 +104,7 @@ class ForceTable(ReadOnly):
         for what, where in (("force", slice(0, 3)), ("moment", slice(3, 5))):
             largest = float(np.max(np.abs(np.nan_to_num(self.force[..., where]))))
             if largest > 0.0:
-                found.append(f"{digits(100.0 * float(np.max(off[where])) / largest, 2)} % of the largest {what}")
+                found.append(f"{format_digits(100.0 * float(np.max(off[where])) / largest, 2)} % of the largest {what}")
         return " and ".join(found) or "0 %"
 
     def interpolated(

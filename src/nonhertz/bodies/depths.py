@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies import endless_cylinder
-from nonhertz.bodies.formulas import curvature_of, of_whole_arrays
+from nonhertz.bodies.formulas import apply_to_whole_arrays, curvature_of
 from nonhertz.bodies.images import FarImages, Images
 from nonhertz.bodies.quarter_space import free_face
 from nonhertz.bodies.shape import Shape
@@ -96,7 +96,7 @@ class DepthInDiameters:
     def core(self) -> core.DepthInDiameters | float:
         """The same in C++; a number where the diameter is one."""
         if callable(self.body.diameter):
-            return core.DepthInDiameters(self.diameters, curvature_of(self.body), of_whole_arrays(self))
+            return core.DepthInDiameters(self.diameters, curvature_of(self.body), apply_to_whole_arrays(self))
         return float(self(np.zeros(1))[0])
 
 
@@ -276,10 +276,10 @@ def in_core(reference: Reference) -> InCore:
     if converted is not None:
         return converted
 
-    def displaced(y: Array, edges: Array) -> Array:
+    def displacement(y: Array, edges: Array) -> Array:
         return np.ascontiguousarray(reference.displacement(y, edges), dtype=float)
 
-    return core.OtherReference(of_whole_arrays(reference.below), displaced)
+    return core.OtherReference(apply_to_whole_arrays(reference.below), displacement)
 
 
 def terms_of(rows: Array) -> list[core.Term]:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.stored import MOST, stored
+from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.native import core
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ def _places() -> Array:
     return FARTHEST * np.linspace(0.0, 1.0, _PLACES) ** 3
 
 
-@stored(__name__)
+@cache_on_disk(__name__)
 def _table(poisson: float) -> Array:
     """Return H at the places of the spline."""
     # Imported here, because most contacts need none of this.

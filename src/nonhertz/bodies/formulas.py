@@ -36,7 +36,7 @@ def relief_of(profile: Profile) -> core.Relief:
     """Return the formula of a profile, or the profile itself to be called."""
     make = FORMULAS.get(type(profile))
     relief: core.Relief | None = None if make is None else make(profile)
-    return core.Relief.function(of_whole_arrays(profile.relief_at)) if relief is None else relief
+    return core.Relief.function(apply_to_whole_arrays(profile.relief_at)) if relief is None else relief
 
 
 def relief_of_body(body: Body) -> core.Relief:
@@ -53,10 +53,10 @@ def curvature_of(body: Body) -> Curvature:
         return float(2.0 / diameter)
     if type(diameter) is TabulatedDiameter and min(map(abs, diameter.diameter)) >= LEAST:
         return core.TabulatedDiameter(np.array(diameter.y), np.array(diameter.diameter), body.position)
-    return of_whole_arrays(body.curvature_at)
+    return apply_to_whole_arrays(body.curvature_at)
 
 
-def of_whole_arrays(function: Callable[[Array], ArrayLike]) -> Function:
+def apply_to_whole_arrays(function: Callable[[Array], ArrayLike]) -> Function:
     """Return a function whose answer has the shape of its argument."""
 
     def answer(y: Array) -> Array:
@@ -65,7 +65,7 @@ def of_whole_arrays(function: Callable[[Array], ArrayLike]) -> Function:
     return answer
 
 
-def _moved(of: Moved) -> core.Relief:
+def _moved_relief(of: Moved) -> core.Relief:
     return core.Relief.moved(relief_of(of.profile), of.scale, of.shift, of.flip, *of.profile.extent)
 
 
@@ -85,7 +85,7 @@ def _strip_displacement() -> core.StripDisplacement:
     return core.StripDisplacement(np.ascontiguousarray(uniform_pressure.table().T), *uniform_pressure.TABLE_RANGE)
 
 
-def _cornered(of: Cornered) -> core.Relief | None:
+def _corner_relief(of: Cornered) -> core.Relief | None:
     corner = _corner(of.corner)
     if corner is None:
         return None
@@ -112,7 +112,7 @@ FORMULAS: Final[Mapping[type[Profile], Callable[[Any], core.Relief | None]]] = M
         UniformPressure: _uniform_pressure,
         Tabulated: _table,
         Sum: lambda of: core.Relief.sum([relief_of(part) for part in of.parts]),
-        Moved: _moved,
-        Cornered: _cornered,
+        Moved: _moved_relief,
+        Cornered: _corner_relief,
     }
 )

@@ -135,8 +135,8 @@ class HarmonicElements:
             The factors of cos(n theta) in the stresses rr, tt, yy and ry, and of sin(n theta) in rt and ty.
         """
         (value_s, slope_s), (value_z, slope_z) = (
-            _interpolating(self.wall_borders, shares),
-            _interpolating(self.axial_borders, places),
+            _interpolation_matrices(self.wall_borders, shares),
+            _interpolation_matrices(self.axial_borders, places),
         )
         nodal = (1.0 - self.poisson) / (2.0 * np.pi) * displaced
         moved, along_s, along_z = (
@@ -209,7 +209,7 @@ def nodal_polynomials(places: Array) -> tuple[Array, Array]:
     return legendre.legvander(places, DEGREE) @ values, legendre.legvander(places, DEGREE - 1) @ slopes
 
 
-def _interpolating(borders: Array, places: Array) -> tuple[Array, Array]:
+def _interpolation_matrices(borders: Array, places: Array) -> tuple[Array, Array]:
     """Return what makes values and slopes at places of nodal values, shape (places, nodes)."""
     e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
     half = 0.5 * np.diff(borders)[e]

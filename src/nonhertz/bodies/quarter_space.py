@@ -34,7 +34,7 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
-from nonhertz.bodies.stored import MOST, stored
+from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.native import core
 
 Array = NDArray[np.float64]
@@ -137,7 +137,7 @@ def free_face(poisson: float) -> FreeFace:
     return FreeFace(poisson, _DISTANCES, _weights(poisson))
 
 
-@stored(__name__, core.__name__)
+@cache_on_disk(__name__, core.__name__)
 def _weights(poisson: float) -> Array:
     """Return the weights of `FreeFace`."""
     solved = EdgeSolution.of(poisson)
@@ -145,13 +145,13 @@ def _weights(poisson: float) -> Array:
     size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
     aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
     fitted = np.array(
-        [_fitted(size, solved.at(size * (1.0 + fraction), size * (1.0 - fraction))) for fraction in aside]
+        [_fit_weights(size, solved.at(size * (1.0 + fraction), size * (1.0 - fraction))) for fraction in aside]
     )
     to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, _DIRECTIONS - 1))
     return np.tensordot(to_chebyshev, fitted, 1)
 
 
-def _fitted(size: Array, wanted: Array) -> Array:
+def _fit_weights(size: Array, wanted: Array) -> Array:
     """Return w_j and v_j, shape (2, m), of e in one direction, at these means of both distances."""
     from scipy import special
 
@@ -175,7 +175,7 @@ class EdgeSolution:
         panels, y, _, brought, operator = corner_operator(poisson)
         # In the core, whose last digits depend on no number of threads: what follows is kept on disk.
         beyond = core.product(operator, core.solved(np.eye(y.size) - core.product(operator, operator), brought))
-        values = 2.0 * core.product(_raised(), beyond)
+        values = 2.0 * core.product(_displacement_matrix(), beyond)
         # By reciprocity; what differs is error.
         return cls(panels, 0.5 * (values + values.T))
 
@@ -195,7 +195,7 @@ def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
     """
     panels = _panels()
     y, weight = nodes_on(panels)
-    brought = _brought(poisson)
+    brought = _kernel_matrix(poisson)
     operator = brought * weight
     _mend_corner(operator, panels, y, weight)
     return panels, y, weight, brought, operator
@@ -230,14 +230,14 @@ def to_legendre() -> Array:
     return np.asarray(np.linalg.inv(legendre.legvander(node, NODES - 1)), dtype=float)
 
 
-def _brought(poisson: float) -> Array:
+def _kernel_matrix(poisson: float) -> Array:
     """Return the kernel a between all nodes: places in rows, loads in columns."""
     of_all, of_compressible = _bessel_functions()
     matrix: Array = 2.0 / math.pi * (of_all - (1.0 - 2.0 * poisson) * of_compressible)
     return matrix
 
 
-@stored(__name__)
+@cache_on_disk(__name__)
 def _bessel_functions() -> Array:
     """Return the parts of the kernel a that do not depend on Poisson's ratio, shape (2, nodes, nodes)."""
     from scipy import special
@@ -281,8 +281,8 @@ def _mend_corner(operator: Array, panels: Array, y: Array, weight: Array) -> Non
     operator[first, first] += exact - rough
 
 
-@stored(__name__)
-def _raised() -> Array:
+@cache_on_disk(__name__)
+def _displacement_matrix() -> Array:
     """Return the matrix from loads at nodes to displacement there over 2 K, mirrored loads included."""
     from scipy import special
 

@@ -27,7 +27,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import NODES, corner_operator, interpolation, nodes_on, to_legendre
-from nonhertz.bodies.stored import MOST, stored
+from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.native import core
 
 Array = NDArray[np.float64]
@@ -195,7 +195,7 @@ def quarter_space_field(poisson: float) -> QuarterSpaceField:
     )
 
 
-@stored(__name__, "nonhertz.bodies.quarter_space")
+@cache_on_disk(__name__, "nonhertz.bodies.quarter_space")
 def _table() -> Array:
     """Return the field of any load, of all `POISSONS`, to low rank: the places, and after them the loads."""
     panels, y, weight, _, _ = corner_operator(0.0)

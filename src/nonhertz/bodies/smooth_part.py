@@ -62,7 +62,7 @@ def modes_around(outline: Outline) -> float:
     return MODES * math.exp(x + math.hypot(x, 0.5 * _AT_ONCE))
 
 
-def _sampled(most: float) -> dict[int, float]:
+def _sample_modes(most: float) -> dict[int, float]:
     """Return modes and the weights with which they stand for all.
 
     What a mode leaves falls as n^-3: that times n^3 is interpolated in 1 / n, and stays so beyond ``most``.
@@ -114,7 +114,7 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
         Displacement over K times the load per length.
     """
     half_length, most = outline.half_length, modes_around(outline)
-    modes = _sampled(most)
+    modes = _sample_modes(most)
     order: Array = np.arange(float(count))
     norms: Array = np.sqrt((order + 0.5) / half_length)
 
@@ -137,7 +137,7 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
     points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
     # Waves around are as long as the surface is wide.
     radius = np.sqrt(outline.girths(y)[:, None] * outline.girths(points))
-    effect = _less_modes(modes, poisson, outline, y, points, radius) * (weights / radius)
+    effect = _subtract_modes(modes, poisson, outline, y, points, radius) * (weights / radius)
     loads = polynomials(points.ravel()).reshape(*points.shape, -1)
     flat = (polynomials(y) * (half_length * weight)[:, None]).T @ np.einsum("ix,ixm->im", effect, loads)
     matrix: Array = by_elements + 0.5 * (flat + flat.T)
@@ -146,7 +146,7 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
     return matrix
 
 
-def _less_modes(
+def _subtract_modes(
     modes: dict[int, float], poisson: float, outline: Outline, y: Array, points: Array, radius: Array
 ) -> Array:
     """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
@@ -189,9 +189,9 @@ def _tables(
 
     along, decay, slope = curved_factors(poisson)
     return (
-        _tabulated(lambda s: sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves)),
-        _tabulated(lambda s: sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves)),
-        _tabulated(
+        _tabulate(lambda s: sum_over_images(s) - sum(2.0 * w * special.k0(n * s) for n, w in waves)),
+        _tabulate(lambda s: sum_over_planes(s) - sum(w * np.exp(-n * s) for n, w in waves)),
+        _tabulate(
             lambda s: (
                 along * np.exp(-s) + 0.5 * math.pi * sum(w * np.exp(-n * s) * (decay / n - slope * s) for n, w in waves)
             )
@@ -199,7 +199,7 @@ def _tables(
     )
 
 
-def _tabulated(function: Callable[[Array], Array]) -> core.LogarithmicTable:
+def _tabulate(function: Callable[[Array], Array]) -> core.LogarithmicTable:
     """Return a function of a distance by cubic polynomials in its logarithm, below the first straight in it."""
     from scipy.interpolate import CubicSpline
 

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 MOST = 16
 
 
-def stored(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
+def cache_on_disk(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
     """Keep what a function returns, in this process and on disk.
 
     Parameters

@@ -26,7 +26,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.harmonic_elements import HarmonicElements
-from nonhertz.bodies.stored import stored
+from nonhertz.bodies.stored import cache_on_disk
 from nonhertz.model.body import Body
 from nonhertz.model.outline import Outline
 from nonhertz.native import core
@@ -148,7 +148,7 @@ def _circles(through: int, along: int, half_length: float) -> tuple[Array, Array
     return 0.5 * TOP * (1.0 + _chebyshev_points(through)), places
 
 
-@stored(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.model.outline", core.__name__)
+@cache_on_disk(__name__, "nonhertz.bodies.harmonic_elements", "nonhertz.model.outline", core.__name__)
 def _factors(outline: Outline, poisson: float) -> Array:
     """Return the factors of `WallModes`."""
     half_length = outline.half_length

@@ -40,7 +40,7 @@ from numpy.typing import NDArray
 
 from nonhertz.bodies import solid_rollers
 from nonhertz.bodies.smooth_part import PER_TERM, curved_factors, fading, response_matrix, terms_along
-from nonhertz.bodies.stored import MOST, stored
+from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.model.outline import Outline
 from nonhertz.native import core
 
@@ -123,7 +123,7 @@ def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
     return WholeRoller.of(outline, poisson, shares[:, None] * matrix * shares)
 
 
-@stored("nonhertz.bodies.smooth_part", __name__)
+@cache_on_disk("nonhertz.bodies.smooth_part", __name__)
 def _curved_table(poisson: float) -> Array:
     """Return the integral from 0 to s of the curved part and its slope, both but for its s ln s, and both as they are.
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz import BearingCase, Case, CaseError, ConvergenceError, InputError, Plan
-from nonhertz.amounts import given, mm, mpa
+from nonhertz.amounts import format_input, mm, mpa
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import NONE, Changes
@@ -105,7 +105,9 @@ def _bearing(case: BearingCase) -> str:
     bodies = {"roller": row.roller, "inner ring": row.inner, "outer ring": row.outer}
     doubts, speed = [*_doubts(bodies, pressure)], case.prescribed.speed
     if speed * row.pitch > FAST:
-        doubts.append(f"speed = {given(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast")
+        doubts.append(
+            f"speed = {format_input(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast"
+        )
     return ".\ndoubtful: ".join((content, *doubts))
 
 

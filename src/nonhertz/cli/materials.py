@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from itertools import groupby
 
-from nonhertz.amounts import amount, given, mpa
+from nonhertz.amounts import amount, format_input, mpa
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import named_as
 from nonhertz.files.materials import as_object
@@ -48,8 +48,8 @@ def _row(entry: Listed, factor: float) -> tuple[str, ...]:
     material = entry.material
 
     def stress(value: float | None) -> str:
-        return "" if value is None else given(factor * value)
+        return "" if value is None else format_input(factor * value)
 
     strengths = stress(material.yield_strength), stress(material.core_yield_strength), material.hardness or ""
     name = f"  {', '.join((entry.name, *entry.others))}"
-    return name, stress(material.modulus), given(material.poisson), *strengths, stress(material.pressure_limit)
+    return name, stress(material.modulus), format_input(material.poisson), *strengths, stress(material.pressure_limit)

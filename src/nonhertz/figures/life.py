@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import Amount, given, mrad, newton
+from nonhertz.amounts import Amount, format_input, mrad, newton
 from nonhertz.figures.contact import conditions, no_limits
 from nonhertz.figures.value import SERIES, Across, Axis, Colour, Dash, Figure, Level, Line, Mark, Panel, Words
 from nonhertz.life import Life
@@ -85,7 +85,7 @@ def _line(life: Life, *, other: bool = False) -> Line:
         edges = 0.5 * (y[1:] + y[:-1])
         ends = 2.0 * y[[0, -1]] - edges[[0, -1]]
         y, density = np.repeat(np.concatenate([ends[:1], edges, ends[1:]]), 2)[1:-1], np.repeat(density, 2)
-    words = f"life {given(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
+    words = f"life {format_input(life.relative_life, 3)}" if np.isfinite(life.relative_life) else "no damage"
     words = "no ideal life" if np.isnan(life.relative_life) and np.isnan(life.reference) else words
     name = f"{life.model.name}{', other case' * other}: {words}"
     return Line(y, density, name=name, colour=colour, dash=dash)  # type: ignore[arg-type]
@@ -122,5 +122,5 @@ def _solved(spectrum: Spectrum) -> str:
 def _span(kind: Callable[..., Amount], values: Sequence[float]) -> str:
     ends = kind(min(values), max(values), between=" to ")
     factor, _ = ends.scale
-    same = given(factor * ends.values[0], 4) == given(factor * ends.values[1], 4)
+    same = format_input(factor * ends.values[0], 4) == format_input(factor * ends.values[1], 4)
     return f"{kind(max(values)) if same else ends:.4g}"

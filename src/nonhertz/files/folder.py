@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.errors import InputError
 
 _OUT_REMEDY = "give a directory to write to"
@@ -46,7 +46,7 @@ def write_files(
         for name, text in texts.items():
             (drafts / name).write_text(text, encoding="utf-8", newline="\n")
         if draw is not None:
-            with read_in("si"):
+            with display_units("si"):
                 draw(drafts)
         files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
         for _, target in files:

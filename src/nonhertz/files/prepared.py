@@ -8,7 +8,7 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any, Final
 
-from nonhertz.amounts import read_in, um
+from nonhertz.amounts import display_units, um
 from nonhertz.files import results
 from nonhertz.files.measured import KIND
 from nonhertz.files.results import Key, ListOf, key_by_key, within
@@ -84,7 +84,7 @@ def as_table(measured: Measured) -> str:
     return csv_text(["y [mm]", "relief [mm]"], ([f"{y:.9g}", f"{relief:.9f}"] for y, relief in rows))
 
 
-@read_in("si")
+@display_units("si")
 def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[ProfileFit] = ()) -> str:
     """Return the line of a case file that makes this profile, with alternatives that come close as comments.
 
@@ -117,7 +117,7 @@ def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Seq
     return "\n".join(lines) + "\n"
 
 
-@read_in("si")
+@display_units("si")
 def files(
     directory: Path, file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[ProfileFit]
 ) -> dict[str, str]:

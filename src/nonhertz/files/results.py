@@ -15,7 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.files.bounds import FORMAT
 from nonhertz.findings import Finding, as_warnings
 from nonhertz.inputs import fields
@@ -125,7 +125,7 @@ def input_keys(inputs: type[Input], path: str = "") -> tuple[Key, ...]:
     return tuple(key(name, described) for name, described in inputs.descriptions.items())
 
 
-@read_in("si")
+@display_units("si")
 def document(keys: Iterable[Key], **parts: Any) -> dict[str, Any]:
     """Return a result as plain numbers, text, lists and dictionaries; keys find their values in its parts, by name."""
     return object_of(keys, SimpleNamespace(**parts))

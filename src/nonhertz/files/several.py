@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.files.contact_results import as_object
 from nonhertz.files.results import plain
 from nonhertz.inputs.files import legible
@@ -93,7 +93,7 @@ def folders(attempts: Sequence[Attempt]) -> list[str]:
     return names
 
 
-@read_in("si")
+@display_units("si")
 def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
     """Return an object for each case: its file, complaints, and the result or None."""
     return [
@@ -106,7 +106,7 @@ def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
     ]
 
 
-@read_in("si")
+@display_units("si")
 def rows(attempts: Sequence[Attempt]) -> list[list[Any]]:
     """Return the cells of a row of the table for each case; those without a number are None."""
     return [_row(attempt) for attempt in attempts]

@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import digits
+from nonhertz.amounts import format_digits
 from nonhertz.errors import InputError, joined
 from nonhertz.files.paths import Parameter
 from nonhertz.inputs.checks import finite, numbers, one_of
@@ -251,7 +251,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, flo
         raise InputError(field, text, "be a range", remedy)
     low, high = (number_in(field, part, unit) for part in parts[:2])
     if not low < high:
-        condition = f"ascend, not go from {digits(low)} to {digits(high)} {unit}".rstrip()
+        condition = f"ascend, not go from {format_digits(low)} to {format_digits(high)} {unit}".rstrip()
         raise InputError(field, text, condition, remedy)
     if len(parts) == 2:
         return low, high, None

@@ -18,7 +18,7 @@ from typing import NamedTuple, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, mm
+from nonhertz.amounts import format_digits, mm
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import listed, whole
@@ -90,10 +90,14 @@ class Life(HasFindings, ReadOnly):
 
     def __repr__(self) -> str:
         relative, absolute = self.relative_life, self.million_revolutions
-        ideal = "no damage" if math.isnan(relative) else f"{digits(relative, 3)} of the life under the ideal pressure"
+        ideal = (
+            "no damage"
+            if math.isnan(relative)
+            else f"{format_digits(relative, 3)} of the life under the ideal pressure"
+        )
         rated = f"no life in revolutions: {self.unrated}"
         if absolute is not None:
-            rated = f"L10 = {digits(absolute, 4)} million revolutions"
+            rated = f"L10 = {format_digits(absolute, 4)} million revolutions"
         return plain_text("Life", [f"{self.model.name}, body {self.body}", ideal, rated, *self.warnings])
 
     @property

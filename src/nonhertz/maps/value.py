@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nonhertz.amounts import digits, mm, mrad, newton, um
+from nonhertz.amounts import format_digits, mm, mrad, newton, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import broadcast, numbers, whole
@@ -356,4 +356,4 @@ def _refuse_others(point: object) -> None:
 
 def in_share(error: float) -> str:
     """Return a relative error in ppm where it is small, else in per cent."""
-    return f"{digits(1e6 * error, 2)} ppm" if error < 1e-3 else f"{digits(100.0 * error, 2)} %"
+    return f"{format_digits(1e6 * error, 2)} ppm" if error < 1e-3 else f"{format_digits(100.0 * error, 2)} %"

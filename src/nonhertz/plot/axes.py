@@ -64,10 +64,10 @@ class Measure(NamedTuple):
 
     Examples
     --------
-    >>> from nonhertz.amounts import read_in
+    >>> from nonhertz.amounts import display_units
     >>> measure("mm", "um").label("Relief"), measure("N", values=[20000.0])([20000.0]).tolist()
     ('Relief [µm]', [20.0])
-    >>> with read_in("us"):
+    >>> with display_units("us"):
     ...     measure("mm").label("Axial position")
     'Axial position [in]'
     """

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from nonhertz.amounts import Amount, given, mm
+from nonhertz.amounts import Amount, format_input, mm
 from nonhertz.plot.axes import Alignment, Axes, measure, note
 from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
 from nonhertz.result.along import axial_range, ends_in_sight, unlimited_ends
@@ -46,7 +46,7 @@ def number(value: float, digits: int = 4) -> str:
     >>> number(-8.31249), number(2431.7), number(0.0)
     ('−8.312', '2432', '0')
     """
-    return given(value, digits).replace("-", "−").replace("inf", "∞")
+    return format_input(value, digits).replace("-", "−").replace("inf", "∞")
 
 
 def written(found: Amount, digits: int = 4) -> str:

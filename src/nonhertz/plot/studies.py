@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nonhertz.amounts import given
+from nonhertz.amounts import format_input
 from nonhertz.plot.axes import OWN, Axes, drawing, measure, note, open_frame
 from nonhertz.plot.style import (
     COLOUR_MAP,
@@ -147,7 +147,7 @@ def histogram(
         ax.set_xscale("log")
         edges = np.geomspace(numbers.min(), numbers.max(), bins + 1)
     elif far.any() and high_end > low_end:
-        ends = dict.fromkeys(given(end) for end in (numbers[far].min(), numbers[far].max()))
+        ends = dict.fromkeys(format_input(end) for end in (numbers[far].min(), numbers[far].max()))
         words = f"{np.count_nonzero(far)} beyond: {' to '.join(ends)}"
         ax.text(0.98, 0.95, words, transform=ax.transAxes, ha="right", va="top", fontsize=SMALL_SIZE)
         numbers = numbers[~far]

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nonhertz.amounts import about, digits, mm, mpa, mrad, newton
+from nonhertz.amounts import format_digits, format_error, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
 from nonhertz.bearing.section import RINGS
@@ -232,7 +232,7 @@ def _valid(contacts: Contacts) -> Iterator[Assumption]:
             if having:
                 shown.append((ring, next((check for check in having if not check.holds), having[0])))
         failing = [check for _, check in shown if not check.holds]
-        words = ", ".join(f"{digits(check.value, 3)}{ring and f' at the {ring} ring'}" for ring, check in shown)
+        words = ", ".join(f"{format_digits(check.value, 3)}{ring and f' at the {ring} ring'}" for ring, check in shown)
         first = failing[0] if failing else shown[0][1]
         called = name if "" in contacts else _PARTS.get(name, name)
         yield Assumption(called, first.criterion, words, strained_if(bool(failing)), first.remark)
@@ -271,7 +271,7 @@ def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumpt
         return Assumption(name, criterion, "no limit", Verdict.NOT_MET, remark)
     if not math.isfinite(error):
         return Assumption(name, criterion, "unknown")
-    number = about(error) if error > NO_ERROR else "none"
+    number = format_error(error) if error > NO_ERROR else "none"
     return Assumption(name, criterion, number, strained_if(error > NOTABLE))
 
 
@@ -286,8 +286,9 @@ def strained_if(strained: bool) -> Verdict:
 def _angles(row: RollerBearing) -> str:
     inner, outer = (math.degrees(each) for each in row.contact_angles)
     if inner == outer:
-        return f"The contact angle is {digits(inner, 4)} degrees." if inner else ""
-    return f"Contact angles are {digits(inner, 4)} degrees at the inner and {digits(outer, 4)} at the outer ring."
+        return f"The contact angle is {format_digits(inner, 4)} degrees." if inner else ""
+    angles = format_digits(inner, 4), format_digits(outer, 4)
+    return "Contact angles are {} degrees at the inner and {} at the outer ring.".format(*angles)
 
 
 def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:

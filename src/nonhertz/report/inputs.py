@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from nonhertz.amounts import amount, given, mpa
+from nonhertz.amounts import amount, format_input, mpa
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -245,7 +245,7 @@ def shown(value: Any, key: Key | None = None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):
-        return given(float(value))
+        return format_input(float(value))
     if isinstance(value, Material):
         return _material(value)
     if isinstance(value, dict):

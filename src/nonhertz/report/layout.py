@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from urllib.parse import quote
 
 from nonhertz import __version__
-from nonhertz.amounts import chosen
+from nonhertz.amounts import current_units
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.title_block import TitleBlock
@@ -104,7 +104,7 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
         title=title,
         mark=MARK,
         words=words,
-        stated=chosen().stated,
+        stated=current_units().stated,
         block=block,
         opening=opening,
         parts=parts,

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import Amount, amount, given, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import Amount, amount, format_input, mm, mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import CylindricalThrustBearing, TaperedRollerBearing
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import RINGS
@@ -81,7 +81,7 @@ def opening(found: Results) -> str:
     size = f"{mm(row.roller_diameter, row.roller_length, between=' x '):.5g}"
     what = f"{row.kind}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
     each = " in each row" if rows > 1 else ""
-    speed = f" at {given(float(prescribed['speed']))} 1/min" if prescribed.get("speed") else ""
+    speed = f" at {format_input(float(prescribed['speed']))} 1/min" if prescribed.get("speed") else ""
     circle = f"on a pitch circle of {mm(row.pitch):.5g}"
     return f"{what}, {row.rollers} rollers of {size}{each} {circle}, {under}{speed}."
 
@@ -162,4 +162,4 @@ def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
 
 
 def _degrees(*angles: float) -> str:
-    return f"{' and '.join(given(math.degrees(each), 5) for each in angles)} degrees"
+    return f"{' and '.join(format_input(math.degrees(each), 5) for each in angles)} degrees"

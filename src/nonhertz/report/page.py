@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -94,7 +94,7 @@ def compose(
     if not (title_block is None or isinstance(title_block, TitleBlock)):
         remedy = "make one with nonhertz.report.TitleBlock"
         raise InputError("title_block", title_block, "be a TitleBlock", remedy)
-    with read_in(units):
+    with display_units(units):
         found = examined(settled(cases, announce), life=life, stress=stress, compare=compare, announce=announce)
         return rendered(found, title_block)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, error_words, mm, worth_reading
+from nonhertz.amounts import error_words, format_digits, mm, worth_reading
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.penetration import is_noticeable
@@ -137,9 +137,11 @@ def _field(value: Any) -> str:
             return f"<{shape} {value.dtype}>"
         known = value[np.isfinite(value)]
         return (
-            f"<{shape}: {digits(float(known.min()), 4)} to {digits(float(known.max()), 4)}>" if known.size else "<nan>"
+            f"<{shape}: {format_digits(float(known.min()), 4)} to {format_digits(float(known.max()), 4)}>"
+            if known.size
+            else "<nan>"
         )
     if isinstance(value, float):
-        return digits(value)
+        return format_digits(value)
     named = getattr(value, "name", None)
     return shortened(repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value))

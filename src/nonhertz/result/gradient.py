@@ -26,7 +26,7 @@ from nonhertz.result.measures import Measure, measure_of
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.status import Status
-from nonhertz.strip.adjoint import Linearised, linearised
+from nonhertz.strip.adjoint import Linearisation, linearise
 from nonhertz.strip.influence import kernel_of
 
 if TYPE_CHECKING:
@@ -158,7 +158,7 @@ class _Linear:
     """A solution, linearised, and how bodies of another shape would fit it."""
 
     solution: Solution
-    linear: Linearised
+    linear: Linearisation
     influence: Influence
     grid: core.Grid
 
@@ -168,7 +168,7 @@ class _Linear:
         m = solution.element_half_width**2
         r = np.divide(solution.contact.compliance * solution.line_load, m, out=np.zeros_like(m), where=m > 0.0)
         grid = _grid(solution, influence)
-        return cls(solution, linearised(grid, r, m, kernel_of(influence, solution.element)), influence, grid)
+        return cls(solution, linearise(grid, r, m, kernel_of(influence, solution.element)), influence, grid)
 
     def moved(self, contact: Contact) -> Solution:
         """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
@@ -221,7 +221,7 @@ class _Linear:
         alike = alike and np.array_equal(grid.by_width, self.grid.by_width)
         if moved is not self.solution or not alike:
             m = moved.element_half_width**2
-            again = linearised(grid, m, m, kernel_of(influence, moved.element))
+            again = linearise(grid, m, m, kernel_of(influence, moved.element))
             y, (displaced, _, curved, _) = again.y, again.blocks
         elif not np.array_equal(grid.at_depth, self.grid.at_depth):
             displaced = displaced + (self.grid.at_depth - grid.at_depth)[np.ix_(linear.active, linear.active)]

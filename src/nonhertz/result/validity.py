@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import about, mm, um
+from nonhertz.amounts import format_error, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import sharper_curvature
@@ -105,7 +105,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
             "The {quantity} is uncertain: its discretisation error is estimated at {size}; give more strips.",
             quantity=quantity,
             error=error,
-            size=about(error) if error < 1.0 else "more than its own size",
+            size=format_error(error) if error < 1.0 else "more than its own size",
         )
 
 

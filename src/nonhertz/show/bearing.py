@@ -8,7 +8,19 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import Amount, amount, digits, given, in_column, mm, mpa, mrad, newton, newton_mm, um
+from nonhertz.amounts import (
+    Amount,
+    amount,
+    format_column,
+    format_digits,
+    format_input,
+    mm,
+    mpa,
+    mrad,
+    newton,
+    newton_mm,
+    um,
+)
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, without_rounding
@@ -46,7 +58,7 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
     lives = life_rows(life, reason, case.mean_speed) if life is not None or reason else []
     if lives and case.spectrum:
-        share = f"{given(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
+        share = f"{format_input(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     tolerances = case.tolerances(solution, life)
     films = case.films(solution)
@@ -80,7 +92,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
         *_preload_rows(case.bearing),
         *_fit_rows(case),
         *_load_rows(solution),
-        *([("speed", f"{given(float(speed))} 1/min", "")] if speed else []),
+        *([("speed", f"{format_input(float(speed))} 1/min", "")] if speed else []),
         *_most_loaded_rows(solution),
         *_pressure_rows(solution),
         *_rib_rows(solution),
@@ -100,13 +112,13 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
         """Return a remark after a life in hours, if there is one."""
         hours = ""
         if speed and math.isfinite(life):
-            hours = f"{digits(life * 1e6 / (60.0 * speed), 4)} hours at {given(float(speed), 4)} 1/min"
+            hours = f"{format_digits(life * 1e6 / (60.0 * speed), 4)} hours at {format_input(float(speed), 4)} 1/min"
         return ", ".join(filter(None, (hours, remark)))
 
     factors, of_oil = found.factors
     safety = "none" if math.isnan(found.static_safety) else "no load"
     if math.isfinite(found.static_safety):
-        safety = f"S0 = {digits(found.static_safety, 3)}"
+        safety = f"S0 = {format_digits(found.static_safety, 3)}"
     return [
         (
             "load ratings",
@@ -143,19 +155,25 @@ def kinematic_rows(found: Kinematics | None) -> list[Row]:
     if found is None:
         return []
     rows = [
-        ("cage", found.cage_speed / 60.0, f"{digits(found.cage_speed, 5)} 1/min", ""),
+        ("cage", found.cage_speed / 60.0, f"{format_digits(found.cage_speed, 5)} 1/min", ""),
         (
             "rollers",
             found.roller_speed / 60.0,
-            f"{digits(found.roller_speed, 5)} 1/min",
+            f"{format_digits(found.roller_speed, 5)} 1/min",
             "about their axes, against the cage, ",
         ),
-        ("over-rolling", found.inner_frequency, f"{digits(found.inner_frequency, 5)} Hz", "inner ring, BPFI, "),
-        ("", found.outer_frequency, f"{digits(found.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
-        ("", found.roller_frequency, f"{digits(found.roller_frequency, 5)} Hz", "rollers, twice in a turn, 2 BSF, "),
+        ("over-rolling", found.inner_frequency, f"{format_digits(found.inner_frequency, 5)} Hz", "inner ring, BPFI, "),
+        ("", found.outer_frequency, f"{format_digits(found.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
+        (
+            "",
+            found.roller_frequency,
+            f"{format_digits(found.roller_frequency, 5)} Hz",
+            "rollers, twice in a turn, 2 BSF, ",
+        ),
     ]
     return [
-        (name, value, f"{what}order {digits(abs(each) / found.shaft_frequency, 4)}") for name, each, value, what in rows
+        (name, value, f"{what}order {format_digits(abs(each) / found.shaft_frequency, 4)}")
+        for name, each, value, what in rows
     ]
 
 
@@ -188,7 +206,7 @@ def _range_row(name: str, found: Range, order: Sequence[str] = Range.AT) -> tupl
 def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
     """Return a row of three values in the unit of the largest."""
     factor, unit = values.scale
-    texts = (digits(factor * each, 4) if math.isfinite(each) else ABSENT for each in values.values)
+    texts = (format_digits(factor * each, 4) if math.isfinite(each) else ABSENT for each in values.values)
     return f"{name} [{unit}]", *texts, probable
 
 
@@ -208,17 +226,17 @@ def roller_table(solution: BearingSolution, films: Films | None = None) -> Table
         f"rib load [{of_rib}]",
         *((f"film inner [{of_film}]", f"outer [{of_film}]") if films else ()),
     )
-    loads_in_words = in_column((load * solution.load).flat)
+    loads_in_words = format_column((load * solution.load).flat)
     rows = []
     for j, roller in enumerate(_rollers(solution)):
         carries = carrying(solution)[j]
         rows.append(
             (
                 *roller, *loads_in_words[2 * j : 2 * j + 2],
-                *(digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
-                *(digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
-                digits(rib * ribs[j], 4) if ribbed else "",
-                *(digits(film * h, 3) if h > 0.0 else "" for h in (least[j] if films else ())),
+                *(format_digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
+                *(format_digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
+                format_digits(rib * ribs[j], 4) if ribbed else "",
+                *(format_digits(film * h, 3) if h > 0.0 else "" for h in (least[j] if films else ())),
             )
         )  # fmt: skip
     return Table(rows, heads, (), "numbers narrow")
@@ -249,7 +267,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
         for pair in zip(strips.load[j].tolist(), slices.load[j].tolist(), strict=True):
             # Most rollers of a bearing bear no load.
             words = changes(pair, most) if pair[0] != pair[1] else ("", "")
-            cells += map(Cell, (digits(factor * load) for load in pair), words)
+            cells += map(Cell, (format_digits(factor * load) for load in pair), words)
         rows.append(cells)
     return Table(rows, ("roller", "row", "angle [deg]", *heads), (), "numbers narrow", remarks="difference")
 
@@ -281,7 +299,7 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
             found.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
-        found.append(("contact angle", f"{given(math.degrees(row.nominal_angle), 5)} degrees", ""))
+        found.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
         # To 10 nm: that for a preload, or by temperatures, is given by nobody.
         between = um(round(bearing.clearance, 5))

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from nonhertz.amounts import Amount, digits, given, percent
+from nonhertz.amounts import Amount, format_digits, format_input, percent
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Cell, Table
 
@@ -43,7 +43,7 @@ class Compared:
     def cells(self) -> list[Cell]:
         """A cell for each result, with its difference from the first as a remark."""
         # Counts and ratios are no measurements: zeros at their end say nothing.
-        write, factor = (digits if self.amount.unit else given), self.amount.scale[0]
+        write, factor = (format_digits if self.amount.unit else format_input), self.amount.scale[0]
         texts = (write(factor * value, 5) if math.isfinite(value) else ABSENT for value in self.amount.values)
         return [*map(Cell, texts, self._differences if self.absolute else changes(self.amount.values))]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nonhertz.amounts import digits, given, mm, um
+from nonhertz.amounts import format_digits, format_input, mm, um
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.section import RINGS
 from nonhertz.files.bearingfile import BearingCase
@@ -31,7 +31,7 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
     if parameter is None:
         rows.append(("film parameter", "not judged", NO_ROUGHNESS))
     else:
-        rows.append(("film parameter", digits(parameter[at], 3), "lambda: least film over both Rq together"))
+        rows.append(("film parameter", format_digits(parameter[at], 3), "lambda: least film over both Rq together"))
     for name, speed in zip(RINGS, films.rib_sliding.tolist(), strict=True):
         if speed > 0.0:
             rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
@@ -39,13 +39,13 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
 
 
 def _metres(speed: float) -> str:
-    return f"{digits(1e-3 * speed, 3)} m/s"
+    return f"{format_digits(1e-3 * speed, 3)} m/s"
 
 
 def _oil_rows(films: Films) -> list[Row]:
     """Return what is known of the oil."""
     oil = films.lubrication
     base = "base oil of the grease" if oil.grease else "oil"
-    named = f"{oil.oil or base} at {given(oil.temperature)} °C" if oil.temperature is not None else base
+    named = f"{oil.oil or base} at {format_input(oil.temperature)} °C" if oil.temperature is not None else base
     viscosity, dynamic = oil.in_place.viscosity or 0.0, oil.dynamic_viscosity or 0.0
-    return [("oil", f"{digits(viscosity, 4)} mm²/s", f"{named}, {digits(1e9 * dynamic, 4)} mPa s")]
+    return [("oil", f"{format_digits(viscosity, 4)} mm²/s", f"{named}, {format_digits(1e9 * dynamic, 4)} mPa s")]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nonhertz.amounts import digits, newton_mm
+from nonhertz.amounts import format_digits, newton_mm
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
@@ -31,10 +31,10 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
             ("", f"{newton_mm(found.speed_torque):3}", "by speed and oil, M0"),
             ("", f"{newton_mm(found.load_torque):3}", "by load, M1"),
             *([("", "not known", "by ribs, M2: published as a chart")] if found.axial else []),
-            ("power loss", f"{digits(found.power, 3)} W", ""),
+            ("power loss", f"{format_digits(found.power, 3)} W", ""),
         ]
     if limit is not None:
-        rows.append(("thermal speed", f"{digits(limit, 3)} 1/min", "rating of ISO 15312"))
+        rows.append(("thermal speed", f"{format_digits(limit, 3)} 1/min", "rating of ISO 15312"))
     elif not missing and row.width is None:
         rows.append(("thermal speed", "not known", "give bearing.width"))
     return rows

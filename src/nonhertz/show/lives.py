@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nonhertz.amounts import digits, mpa, mrad, newton
+from nonhertz.amounts import format_digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
@@ -55,7 +55,7 @@ def _beside_first(found: Assessment | None, first: Assessment | None, body: Body
         return Cell(ABSENT)
     ratio = math.nan if found is first else found.over(first, body, number)
     relative = of_life(found.lives[body][number].relative_life)
-    return Cell(relative, f"× {digits(ratio, 4)}" if math.isfinite(ratio) else "")
+    return Cell(relative, f"× {format_digits(ratio, 4)}" if math.isfinite(ratio) else "")
 
 
 def sentences(found: Assessment) -> list[str]:
@@ -127,7 +127,7 @@ def of_life(value: float, unit: str = "") -> str:
     """Return a life in words, with its unit; none where there is no number, and where there is no damage."""
     if math.isnan(value):
         return "none"
-    return f"{digits(value, 4)}{unit}" if math.isfinite(value) else "no damage"
+    return f"{format_digits(value, 4)}{unit}" if math.isfinite(value) else "no damage"
 
 
 def _integrand(model: Model) -> str:

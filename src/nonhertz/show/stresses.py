@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nonhertz.amounts import digits, mm, mpa
+from nonhertz.amounts import format_digits, mm, mpa
 from nonhertz.files.stresses import LARGEST, at_station, poisson
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Said, Section, Table
@@ -26,10 +26,10 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
     def row(name: str, found: Extreme) -> tuple[str, ...]:
         pressure = at_station(solution, solution.centre_pressure, found.y)
         share = f"{found.max / pressure:.4f}" if pressure > 0.0 else ""
-        x, y, z = (digits(length * each, 4) for each in (found.x, found.y, found.z))
+        x, y, z = (format_digits(length * each, 4) for each in (found.x, found.y, found.z))
         # The stress field of the strips is symmetric about x = 0.
         x = f"+-{x}" if found.x > 0.0 else "0"
-        return f"  {name}{', at the bore' * found.at_bore}", digits(stress * found.max), share, x, y, z
+        return f"  {name}{', at the bore' * found.at_bore}", format_digits(stress * found.max), share, x, y, z
 
     heads = ("", f"largest [{of_stress}]", "of p0 there", *(f"{axis} [{of_length}]" for axis in "xyz"))
     places = {f"in body {overall.body}": overall, f"at y = {mm(section.von_mises.y):.5g}": section}

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import Amount, amount, digits, error_words, given, mpa, of_dimension, um
+from nonhertz.amounts import Amount, amount, error_words, format_digits, format_input, mpa, of_dimension, um
 from nonhertz.bearing.assessed import NO_OIL
 from nonhertz.bearing.quantities import LIVES
 from nonhertz.files.spreads import Distribution, Spread
@@ -93,7 +93,7 @@ def diagram_sections(diagram: Diagram) -> list[Section]:
 def _column(numbers: Amount, rows: NDArray[np.intp]) -> list[str]:
     """Return some of many numbers, in the unit that suits all of them; blank where there is none."""
     chosen = np.asarray(numbers.values)[rows] * numbers.scale[0]
-    return ["" if math.isnan(value) else given(value, 4) for value in chosen.tolist()]
+    return ["" if math.isnan(value) else format_input(value, 4) for value in chosen.tolist()]
 
 
 def tolerance_sections(found: Tolerance) -> list[Section]:
@@ -196,7 +196,7 @@ def _capabilities(found: Tolerance) -> Table:
     for each in found.capabilities:
         quantity = labels[each.quantity]
         share, low, high, normal = (
-            f"{given(100.0 * number, 2)} %" for number in (each.share, each.low, each.high, each.normal_share)
+            f"{format_input(100.0 * number, 2)} %" for number in (each.share, each.low, each.high, each.normal_share)
         )
         limit = f"{each.kind} {quantity.amount(each.limit):g}"
         rows.append((quantity.label, limit, share, f"{low} to {high}", f"{each.cpk:.2f}", normal))
@@ -209,7 +209,7 @@ def _strained(sweep: Sweep) -> Iterator[Row]:
         if quantity.name == "error" and error_words(largest):
             yield "approach or load", error_words(largest), "at most"
         elif quantity.name == "warnings" and largest > 0.0:
-            yield quantity.label, given(largest), "at most; a sweep over the same samples says which"
+            yield quantity.label, format_input(largest), "at most; a sweep over the same samples says which"
 
 
 def _indices(found: Tolerance, results: Sequence[Quantity]) -> Iterator[Table]:
@@ -258,7 +258,7 @@ def _best(found: Design, read: Callable[[str, float], str]) -> Iterator[Row]:
         before = f"{mpa(found.before)}" if math.isfinite(found.before) else "no solution"
         yield "largest pressure", f"{mpa(found.value)}", f"before: {before}"
     else:
-        yield "life", f"{digits(found.value)} times that before", ""
+        yield "life", f"{format_digits(found.value)} times that before", ""
     for path, value in found.values.items():
         if isinstance(value, float):
             yield path, read(path, value), ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from nonhertz.amounts import digits, error_words, mm, mpa, worth_reading
+from nonhertz.amounts import error_words, format_digits, mm, mpa, worth_reading
 from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
 from nonhertz.result.edges import EdgeKind, EdgePressure
@@ -65,7 +65,7 @@ def overview_table(attempts: Sequence[Attempt]) -> Table:
         values = [None if each is None else float(quantity.clean(each)) for each in solved]
         factor, unit = quantity.amount().scale
         heads.append(f"{quantity.label} [{unit}]")
-        columns.append(["" if value is None else digits(factor * value) for value in values])
+        columns.append(["" if value is None else format_digits(factor * value) for value in values])
     rows = [(each.name, each.title, *cells, _remark(each)) for each, *cells in zip(attempts, *columns, strict=True)]
     return Table(rows, ("case", "title", *heads, ""), (0, 1, len(heads) + 2), room=_TITLE)
 

@@ -22,16 +22,16 @@ from nonhertz.strip.problem import Problem, Target
 Array = NDArray[np.float64]
 
 
-def several(contacts: Contact | Iterable[Contact]) -> list[Contact]:
+def list_contacts(contacts: Contact | Iterable[Contact]) -> list[Contact]:
     """Return one contact or several as a list; anything else is refused."""
     if isinstance(contacts, Contact):
         return [contacts]
     remedy = "give one Contact, or a list of them"
-    several: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
-    for number, contact in enumerate(several):
+    checked: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
+    for number, contact in enumerate(checked):
         if not isinstance(contact, Contact):
             raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)
-    return several
+    return checked
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.result.outcome import LevelState, outcome, restored, states_of_levels
-from nonhertz.solver.blocks import Block, several
-from nonhertz.solver.one import posed
+from nonhertz.solver.blocks import Block, list_contacts
+from nonhertz.solver.one import pose_problem
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
 from nonhertz.strip.problem import Problem, Target
 
@@ -61,9 +61,9 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
             sources[id(block.problem.contact)] = block
     order = {contact: number for number, contact in enumerate(sources)}
     errors = [block.error for block in blocks if block.error is not None]
-    cases = [case for block in blocks for case in _Saved.of(block)]
+    cases = [case for block in blocks for case in _SavedCase.of(block)]
     levels = [level for case in cases for level in case.levels]
-    likenesses = [_Likeness.of(source.problem, _places(source)) for source in sources.values()]
+    likenesses = [_Fingerprint.of(source.problem, _places(source)) for source in sources.values()]
     fields = {
         "shape": np.array(shape),
         "element": np.asarray(problem.model.element.name),
@@ -83,7 +83,7 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
         "targets": np.array([target for case in cases for target in case.targets]).reshape(-1, 2),
         "problems": np.array([source.problem.target for source in sources.values()]),
         "counts": np.array([level.r.size for level in levels], dtype=np.int64),
-        "errors": np.asarray(json.dumps([_described(error) for error in errors])),
+        "errors": np.asarray(json.dumps([_describe_error(error) for error in errors])),
         "contact_sizes": np.array([likeness.places.size for likeness in likenesses]),
         "contact_places": np.concatenate([likeness.places for likeness in likenesses]),
         "contact_surfaces": np.concatenate([likeness.surfaces for likeness in likenesses], axis=1),
@@ -99,7 +99,7 @@ def read(
     path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]
 ) -> tuple[tuple[int, ...], tuple[Block, ...]]:
     """Return the shape of the results, and the blocks."""
-    sources = several(contacts)
+    sources = list_contacts(contacts)
     entries = ARCHIVE.load(path)
     stated = text(entries, "digest")
     fields = {name: value for name, value in entries.items() if name not in {"kind", "version", "digest"}}
@@ -116,7 +116,7 @@ def read(
 
 
 @dataclass(frozen=True)
-class _Saved:
+class _SavedCase:
     """A case with a state on each level, or cases without any that have the same error."""
 
     block: Block
@@ -126,7 +126,7 @@ class _Saved:
     accuracy: float  # of the grids; zero where a coarser one has no solution
 
     @classmethod
-    def of(cls, block: Block) -> Iterator[_Saved]:
+    def of(cls, block: Block) -> Iterator[_SavedCase]:
         """Yield the cases of a block."""
         if not block.results:
             yield cls(block, block.numbers, block.targets, [], 0.0)
@@ -150,16 +150,16 @@ def _blocks(fields: Entries, sources: list[Contact], which: NDArray[np.intp]) ->
         results = [restored(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
         block = Block(problem, numbers, targets, results)
         if failed:
-            yield _failed(block, next(errors), known)
+            yield _failed_block(block, next(errors), known)
         elif solved and solved[-1].problem is problem:
             solved.append(block)
         else:
-            yield from _together(solved)
+            yield from _merge_blocks(solved)
             solved = [block]
-    yield from _together(solved)
+    yield from _merge_blocks(solved)
 
 
-def _together(blocks: list[Block]) -> Iterator[Block]:
+def _merge_blocks(blocks: list[Block]) -> Iterator[Block]:
     """Yield cases of one contact in one block."""
     if blocks:
         yield Block(
@@ -189,7 +189,7 @@ def _levels(fields: Entries) -> Iterator[LevelState]:
 
 
 @dataclass(frozen=True)
-class _Likeness:
+class _Fingerprint:
     """What a contact is known again by.
 
     Attributes
@@ -207,7 +207,7 @@ class _Likeness:
     numbers: Array
 
     @classmethod
-    def of(cls, problem: Problem, places: Array) -> _Likeness:
+    def of(cls, problem: Problem, places: Array) -> _Fingerprint:
         """Return that of a contact."""
         contact = problem.contact
         of_bodies = [values for body in (contact.a, contact.b) for values in _surface(body, places)]
@@ -223,7 +223,7 @@ class _Likeness:
         surfaces = np.array([*of_bodies, np.min([np.full(places.shape, np.inf), *depths], axis=0)])
         return cls(places, surfaces, np.array(numbers, dtype=float))
 
-    def like(self, other: _Likeness) -> bool:
+    def like(self, other: _Fingerprint) -> bool:
         """Return whether the other is of the same contact."""
         rows = zip((*self.surfaces, self.numbers), (*other.surfaces, other.numbers), strict=True)
         return all(
@@ -267,7 +267,7 @@ class _Problems:
         if (stored, id(contact)) not in self._known:
             accuracy, accuracy_given, of_pressure = fields["accuracy"].tolist()
             (by_load, by_moment), (first, second) = fields["prescribed"], fields["problems"][stored]
-            problem = posed(
+            problem = pose_problem(
                 contact, _ELEMENTS[str(fields["element"])], (bool(by_load), bool(by_moment)),
                 (float(first), float(second)), None if math.isnan(accuracy) else accuracy,
                 accuracy_given=bool(accuracy_given),
@@ -275,8 +275,8 @@ class _Problems:
             problem = replace(problem, pressure_accuracy=None if math.isnan(of_pressure) else of_pressure)
             part = slice(self._ends[stored] - fields["contact_sizes"][stored], self._ends[stored])
             places = fields["contact_places"][part]
-            expected = _Likeness(places, fields["contact_surfaces"][:, part], fields["contact_numbers"][stored])
-            if not _Likeness.of(problem, places).like(expected):
+            expected = _Fingerprint(places, fields["contact_surfaces"][:, part], fields["contact_numbers"][stored])
+            if not _Fingerprint.of(problem, places).like(expected):
                 condition = "be the contact that the cases were solved with"
                 raise InputError(
                     f"contacts[{at}]" if len(set(map(id, sources))) > 1 else "contacts", contact, condition, _AS_GIVEN
@@ -288,7 +288,7 @@ class _Problems:
 # Errors
 
 
-class _Shown:
+class _SavedValue:
     """Stands for a value of which only what a message shows of it was saved."""
 
     def __init__(self, as_shown: str) -> None:
@@ -298,18 +298,18 @@ class _Shown:
         return self._as_shown
 
 
-def _described(error: Exception) -> dict[str, Any]:
+def _describe_error(error: Exception) -> dict[str, Any]:
     """Return an error as plain values; arguments are shown as Python writes them where it can read that again."""
-    arguments = [] if isinstance(error, ConvergenceError) else [_written(value) for value in error.args]
+    arguments = [] if isinstance(error, ConvergenceError) else [_write_argument(value) for value in error.args]
     return {"type": _name(type(error)), "arguments": arguments, "message": str(error)}
 
 
-def _written(value: object) -> str:
+def _write_argument(value: object) -> str:
     plain = value.item() if isinstance(value, np.generic) else value
-    return repr(plain) if _literal(repr(plain)) is not None else shown(plain)
+    return repr(plain) if _parse_literal(repr(plain)) is not None else shown(plain)
 
 
-def _literal(written: str) -> Any:
+def _parse_literal(written: str) -> Any:
     """Return the value that Python writes like this, or None if it cannot be read again."""
     try:
         value = ast.literal_eval(written)
@@ -318,7 +318,7 @@ def _literal(written: str) -> Any:
     return value if repr(value) == written else None
 
 
-def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Exception]]) -> Block:
+def _failed_block(block: Block, described: dict[str, Any], known: dict[str, type[Exception]]) -> Block:
     """Return a block of cases without a solution, with their error."""
     error: Exception | None = None
     if block.results:  # not converged: the error holds the state that was reached
@@ -327,16 +327,16 @@ def _failed(block: Block, described: dict[str, Any], known: dict[str, type[Excep
         except ConvergenceError as again:
             error = again.with_traceback(None)
     elif described["type"] in known:
-        error = _restored(known[described["type"]], described["arguments"])
+        error = _restore_error(known[described["type"]], described["arguments"])
     if error is None or str(error) != described["message"]:
         error = NonhertzError(f"{described['type'].rpartition('.')[2]}: {described['message']}")
     return Block(block.problem, block.numbers, block.targets, block.results, error)
 
 
-def _restored(kind: type[Exception], arguments: list[str]) -> Exception | None:
-    literals = [_literal(node) for node in arguments]
+def _restore_error(kind: type[Exception], arguments: list[str]) -> Exception | None:
+    literals = [_parse_literal(node) for node in arguments]
     values = [
-        _Shown(written) if value is None and written != "None" else value
+        _SavedValue(written) if value is None and written != "None" else value
         for value, written in zip(literals, arguments, strict=True)
     ]
     try:

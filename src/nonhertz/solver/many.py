@@ -20,7 +20,7 @@ from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.native import core
-from nonhertz.solver.blocks import several
+from nonhertz.solver.blocks import list_contacts
 from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
 from nonhertz.solver.portions import Portion, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label
@@ -111,13 +111,13 @@ def solve_many(
     """
     callback("announce", announce)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
-    shape, tasks = _laid_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    solutions, findings = Run(shape, tuple(_works(tasks)), thread_count(threads)).outcome(announce)
+    shape, tasks = _lay_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
+    solutions, findings = Run(shape, tuple(_group_tasks(tasks)), thread_count(threads)).outcome(announce)
     warn(findings)
     return solutions
 
 
-def solve_in_silence(
+def solve_without_warnings(
     contact: Contact,
     prescribed: Mapping[str, ArrayLike],
     *,
@@ -135,9 +135,9 @@ def solve_in_silence(
     InputError
         As `solve_many` does.
     """
-    shape, tasks = _laid_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
+    shape, tasks = _lay_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
     stop = core.Stop()
-    return Solutions(shape, tuple(block for work in _works(tasks) for block in work.solved(stop)))
+    return Solutions(shape, tuple(block for work in _group_tasks(tasks) for block in work.solved(stop)))
 
 
 @dataclass(frozen=True)
@@ -150,18 +150,18 @@ class _Options:
     accuracy_of: Goal | None
 
 
-def _laid_out(
+def _lay_out(
     contacts: Contact | Iterable[Contact], prescribed: Mapping[str, ArrayLike | None], options: _Options
 ) -> tuple[tuple[int, ...], list[Task]]:
     """Return the shape of the results and the cases; invalid input is refused."""
     prescriptions = {name: value for name, value in prescribed.items() if value is not None}
     refuse_unpaired(**{name: prescribed.get(name) for name in _PRESCRIBED})
-    contact_list = several(contacts)
-    shape, which, values = _spread(len(contact_list) if not isinstance(contacts, Contact) else None, prescriptions)
-    return shape, _tasks(contact_list, shape, which, values, options)
+    contact_list = list_contacts(contacts)
+    shape, which, values = _broadcast(len(contact_list) if not isinstance(contacts, Contact) else None, prescriptions)
+    return shape, _make_tasks(contact_list, shape, which, values, options)
 
 
-def _spread(
+def _broadcast(
     contacts: int | None, prescriptions: dict[str, ArrayLike]
 ) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
     """Return the shape of the results, and for each case the index of its contact and what is prescribed."""
@@ -171,7 +171,7 @@ def _spread(
             column = np.asarray(value)
             if column.dtype.kind in "UO":
                 texts = np.asarray(value, dtype=object)
-                column = np.array([_number(name, text) for text in texts.flat]).reshape(texts.shape)
+                column = np.array([_parse_number(name, text) for text in texts.flat]).reshape(texts.shape)
         except InputError:
             raise
         except (TypeError, ValueError):
@@ -202,12 +202,12 @@ def _spread(
     )
 
 
-def _number(name: str, value: Any) -> Any:
+def _parse_number(name: str, value: Any) -> Any:
     """Return text with a unit as a number in that of what is prescribed; anything else as it is."""
     return Prescription.descriptions[name].take(name, value) if isinstance(value, str) else value
 
 
-def _tasks(
+def _make_tasks(
     contacts: list[Contact],
     shape: tuple[int, ...],
     which: NDArray[np.intp],
@@ -270,7 +270,7 @@ def _suspects(prescribed: dict[str, Array]) -> list[int]:
     return np.flatnonzero(suspects).tolist()
 
 
-def _works(tasks: list[Task]) -> Iterator[Work]:
+def _group_tasks(tasks: list[Task]) -> Iterator[Work]:
     """Yield tasks grouped into portions large enough for one unit of work of a thread."""
     portion: list[Task] = []
     for task in tasks:

@@ -133,7 +133,7 @@ def problem_of(
     element = element_of(element)
     refuse_accuracy(strips, accuracy, accuracy_of)
     prescription.refuse_outside(contact)
-    problem = posed(
+    problem = pose_problem(
         contact, element, prescription.by_force, prescription.target(contact.compliance),
         (accuracy or ACCURACY) if is_automatic(strips) else None, accuracy_given=accuracy is not None,
     )  # fmt: skip
@@ -144,7 +144,7 @@ def problem_of(
     return replace(problem, accuracy=min(0.5 * of_pressure, ACCURACY), pressure_accuracy=of_pressure)
 
 
-def bounded(problem: Problem) -> tuple[float, float]:
+def bound_contact(problem: Problem) -> tuple[float, float]:
     """Return the interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
 
     Raises
@@ -159,7 +159,7 @@ def bounded(problem: Problem) -> tuple[float, float]:
     return low, high
 
 
-def posed(
+def pose_problem(
     contact: Contact,
     element: Element,
     by_force: Flags,
@@ -241,11 +241,11 @@ def requested_strips(contact: Contact, strips: Strips) -> tuple[int | None, Arra
             raise InputError("strips", strips, f"lie between {FEWEST_STRIPS} and {MOST_STRIPS}", remedy)
         return int(strips), None
     if isinstance(strips, (Sequence, np.ndarray)) and not isinstance(strips, str):
-        return None, _checked_edges(contact, strips)
+        return None, _check_edges(contact, strips)
     raise InputError("strips", strips, "be 'auto', a whole number or edges", remedy)
 
 
-def _checked_edges(contact: Contact, strips: ArrayLike) -> Array:
+def _check_edges(contact: Contact, strips: ArrayLike) -> Array:
     low, high = contact.interval
     remedy = "give ascending strip edges in mm within the bodies"
     try:

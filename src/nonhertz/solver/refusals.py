@@ -13,10 +13,10 @@ from nonhertz.strip.problem import Problem
 
 def refusal(problem: Problem, refused: core.Refused) -> InputError:
     """Return the error of a case that the core has refused."""
-    return in_words(refused, problem.contact.compliance, problem.target)
+    return refusal_in_words(refused, problem.contact.compliance, problem.target)
 
 
-def in_words(refused: core.Refused, compliance: float, target: Iterable[float]) -> InputError:
+def refusal_in_words(refused: core.Refused, compliance: float, target: Iterable[float]) -> InputError:
     """Return the error of what the core has refused, given a compliance K, and K Q or delta and K T or gamma."""
     why, value, low, high, strips = refused.args
     first, second = target

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 
-class Linearised(NamedTuple):
+class Linearisation(NamedTuple):
     """A solved contact, linearised; arrays of strips have one entry per strip in contact.
 
     Attributes
@@ -84,7 +84,7 @@ class Linearised(NamedTuple):
         return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
 
 
-def linearised(grid: core.Grid, r: Array, m: Array, kernel: core.Kernel) -> Linearised:
+def linearise(grid: core.Grid, r: Array, m: Array, kernel: core.Kernel) -> Linearisation:
     """Return a solved contact, linearised.
 
     Parameters
@@ -99,4 +99,4 @@ def linearised(grid: core.Grid, r: Array, m: Array, kernel: core.Kernel) -> Line
     active = np.flatnonzero(m > 0.0)
     blocks = core.coefficients(grid, m, active, kernel)[:, active]
     y, width = grid.y[active], np.diff(grid.edges)[active]
-    return Linearised(active, blocks, r[active], m[active], y, width)
+    return Linearisation(active, blocks, r[active], m[active], y, width)

@@ -22,7 +22,7 @@ from numpy.polynomial import chebyshev, legendre
 from numpy.typing import NDArray
 
 from nonhertz.bodies.quarter_space import EDGE_SLOPE, FreeFace, free_face
-from nonhertz.bodies.stored import MOST, stored
+from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.native import core
 from nonhertz.strip.element import ELEMENTS, Element
 
@@ -45,7 +45,7 @@ def face_table(element: Element, poisson: float) -> core.FaceTable:
     return core.FaceTable(_table(element.name, poisson))
 
 
-@stored(__name__, core.__name__, "nonhertz.bodies.quarter_space")
+@cache_on_disk(__name__, core.__name__, "nonhertz.bodies.quarter_space")
 def _table(name: str, poisson: float) -> Array:
     """Return polynomials on squares, those of the series far away, and the slopes of h and c towards the edge."""
     element, face = ELEMENTS[name], free_face(poisson)
@@ -62,17 +62,17 @@ def _squares(element: Element, face: FreeFace) -> Array:
     edges = _places(nodes)
     integral = _integral(element, face, _places(fine).ravel(), nodes)
     integral = integral.reshape(2, OCTAVES, _FINE, OCTAVES, nodes.size)
-    along_u = _summed("nf,kofpm->konpm", slopes, integral) * (2.0 / octave)[:, None, None, None]
+    along_u = _contract("nf,kofpm->konpm", slopes, integral) * (2.0 / octave)[:, None, None, None]
     along_v = densities(element, face, edges[:, :, None, None], edges)
     values = np.empty((OCTAVES, nodes.size, OCTAVES, nodes.size, 2, 2))
-    values[..., 0] = np.moveaxis(_summed("nf,kofpm->konpm", to_nodes, integral), 0, -1)
+    values[..., 0] = np.moveaxis(_contract("nf,kofpm->konpm", to_nodes, integral), 0, -1)
     values[..., 1] = np.moveaxis(edges[:, :, None, None] * along_u + edges * along_v, 0, -1)
     to_powers = np.asarray(np.linalg.inv(np.vander(nodes)), dtype=float)
-    of_v = _summed("qm,onrmkf->onrqkf", to_powers, values)
-    return np.ascontiguousarray(_summed("pn,onrqkf->orpqkf", to_powers, of_v)).ravel()
+    of_v = _contract("qm,onrmkf->onrqkf", to_powers, values)
+    return np.ascontiguousarray(_contract("pn,onrqkf->orpqkf", to_powers, of_v)).ravel()
 
 
-def _summed(indices: str, matrix: Array, values: Array) -> Array:
+def _contract(indices: str, matrix: Array, values: Array) -> Array:
     """Return a sum over one index, as a product of matrices."""
     total: Array = np.einsum(indices, matrix, values, optimize=True)
     return total

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies.depths import in_core
-from nonhertz.bodies.formulas import curvature_of, of_whole_arrays, relief_of_body
+from nonhertz.bodies.formulas import apply_to_whole_arrays, curvature_of, relief_of_body
 from nonhertz.bodies.influence import influence_of
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
@@ -47,7 +47,7 @@ def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions
         bends=np.array(contact.bends, dtype=float),
         crests=np.array(contact.crests, dtype=float),
         # Of the bodies alone: a contact that is kept by what it keeps would stay for ever.
-        refuse=of_whole_arrays(partial(_curvature, contact.a, contact.b)),
+        refuse=apply_to_whole_arrays(partial(_curvature, contact.a, contact.b)),
     )
 
 
@@ -56,5 +56,5 @@ def _curvature(a: Body, b: Body, y: Array) -> Array:
 
 
 def _body(body: Body, as_functions: bool) -> core.Body:
-    relief = core.Relief.function(of_whole_arrays(body.relief_at)) if as_functions else relief_of_body(body)
+    relief = core.Relief.function(apply_to_whole_arrays(body.relief_at)) if as_functions else relief_of_body(body)
     return core.Body(relief, curvature_of(body), body.material.modulus)

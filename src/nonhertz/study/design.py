@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import digits, loaded, of_dimension
+from nonhertz.amounts import describe_load, format_digits, of_dimension
 from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import free_form_in
@@ -141,10 +141,10 @@ class Design(HasFindings):
 
     def __repr__(self) -> str:
         what, unit = ("largest pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
-        said = [f"{what} {digits(self.value)}{unit}, before {digits(self.before)}{unit}"]
+        said = [f"{what} {format_digits(self.value)}{unit}, before {format_digits(self.before)}{unit}"]
         for path, value in self.values.items():
             if isinstance(value, float):
-                said.append(f"{path} = {digits(value)} {self.units.get(path, '')}".rstrip())
+                said.append(f"{path} = {format_digits(value)} {self.units.get(path, '')}".rstrip())
         said.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
         said += [f"worst: {self.worst}", *self.warnings]
         return plain_text("Design", said)
@@ -518,7 +518,7 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         history = tuple(goal(value) for value in each.history)
         starts.append(Start(values, ended, goal(each.value), history, each.least_margin >= -1e-4, each.failure))
     starts.sort(key=lambda start: (math.isnan(start.value), start.value if task.goal == PRESSURE else -start.value))
-    of_load = [loaded(each.load, each.tilt) for each in task.loads]
+    of_load = [describe_load(each.load, each.tilt) for each in task.loads]
     if task.goal == PRESSURE:
         worst = of_load[judged.largest[1]]
     else:

@@ -28,7 +28,7 @@ from nonhertz.result.maximum import counted, singular_y
 from nonhertz.result.measures import PressureAt
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
-from nonhertz.solver.many import solve_in_silence
+from nonhertz.solver.many import solve_without_warnings
 from nonhertz.solver.one import is_automatic
 from nonhertz.study.limits import Limit
 from nonhertz.study.lives import damage
@@ -153,7 +153,7 @@ class Task:
         with without_accuracy_warnings():
             solver = case.solver.keywords | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
-            solutions = tuple(solve_in_silence(case.contact, pressed, **solver))
+            solutions = tuple(solve_without_warnings(case.contact, pressed, **solver))
         return Judged(self, x.copy(), case, solutions)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import given, loaded, of_dimension
+from nonhertz.amounts import describe_load, format_input, of_dimension
 from nonhertz.errors import NonhertzError, without_accuracy_warnings
 from nonhertz.files.spreads import Distribution
 from nonhertz.plot.axes import ROUND, Measure, measure
@@ -215,7 +215,7 @@ def _before_and_after(found: Design, number: int) -> Callable[[Axes], object]:
         values = {name: stress(np.interp(y, *each, left=0.0, right=0.0)) for name, each in lines.items()}
         _along(y, values, ax, stress.label("Centre-line pressure $p_0$"))
         ax.set_ylim(bottom=0.0)
-        ax.set_title(loaded(load.load, load.tilt), loc="left")
+        ax.set_title(describe_load(load.load, load.tilt), loc="left")
 
     return draw
 
@@ -330,7 +330,8 @@ def _of_two(sweep: Sweep, axes: Sequence[tuple[str, NDArray[Any]]]) -> Callable[
         key, _, unit = y_label.partition(" [")
         unit = unit.rstrip("]")
         names = [
-            str(value) if isinstance(value, str | bool) else f"{given(value)} {unit}".rstrip() for value in y.tolist()
+            str(value) if isinstance(value, str | bool) else f"{format_input(value)} {unit}".rstrip()
+            for value in y.tolist()
         ]
         lines = dict(zip(names, numbers, strict=True))
         return study_lines(x, lines, ax, x_label=x_label, y_label=label, key=key)

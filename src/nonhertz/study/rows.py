@@ -25,8 +25,8 @@ from nonhertz.files.planfile import LOAD, Template
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
 from nonhertz.result.quantities import QUANTITIES, Quantity
-from nonhertz.solver.many import solve_in_silence
-from nonhertz.solver.one import bounded, problem_of
+from nonhertz.solver.many import solve_without_warnings
+from nonhertz.solver.one import bound_contact, problem_of
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
 from nonhertz.verdict import Verdict, of_contact
 
@@ -107,7 +107,7 @@ class Work:
 
     def _together(self, case: Case, given: Sequence[Prescription]) -> list[Row]:
         columns = {name: np.array([getattr(each, name) for each in given]) for name in given[0].keywords}
-        solutions = solve_in_silence(case.contact, columns, **case.solver.keywords)
+        solutions = solve_without_warnings(case.contact, columns, **case.solver.keywords)
         at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
         converged = solutions.converged.tolist()
         rows = []
@@ -162,7 +162,7 @@ class Work:
             tilt = case.prescribed.tilt or 0.0
             contact = case.contact
             problem = problem_of(contact, Prescription(load=1.0, tilt=tilt), case.solver.element)
-            edges = np.linspace(*bounded(problem), TOUCHING + 1)
+            edges = np.linspace(*bound_contact(problem), TOUCHING + 1)
             touched = -core.penetration(problem.model.in_core, edges, (0.0, tilt))
         except NonhertzError as error:
             return self._failed(error)

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nonhertz import __version__
-from nonhertz.amounts import SI, read_in
-from nonhertz.amounts import chosen as chosen_units
+from nonhertz.amounts import SI, current_units, display_units
 from nonhertz.errors import InputError, Interrupted
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -172,7 +171,7 @@ class Sweep:
         Rows keep their sentences in SI units: for those who read others, the first is solved once more.
         """
         kept = self._store.failures(REASONS)
-        if chosen_units() is SI:
+        if current_units() is SI:
             return kept
         lost = str(LostError())
         return [(why if why == lost else self._reason(first, why), times, first) for why, times, first in kept]
@@ -400,7 +399,7 @@ def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> fl
         count *= 2
 
 
-@read_in("si")
+@display_units("si")
 def _solved(work: Work, paths: tuple[str, ...], portion: Portion) -> list[Row]:
     """Return the rows of a portion; called in other processes."""
     return work.rows(paths, portion[2])

@@ -21,7 +21,7 @@ from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 from typing import Any, TypeVar
 
-from nonhertz.amounts import chosen, read_in
+from nonhertz.amounts import current_units, display_units
 from nonhertz.errors import InputError, NonhertzError
 
 Given = TypeVar("Given")
@@ -79,7 +79,7 @@ class Workers:
         if self._client is None and processes == 1:
             yield from ((given, solve(given)) for given in each)
             return
-        solve, source, left = partial(_as_here, chosen().code, solve), iter(each), True
+        solve, source, left = partial(_as_here, current_units().code, solve), iter(each), True
         while left:
             lost: list[Given] = []
             if self._executor is None:
@@ -125,7 +125,7 @@ class Workers:
 
 def _as_here(units: str, solve: Callable[[Given], Found], given: Given) -> Found:
     """Return what is found of something, its sentences in units of the process that asked."""
-    with read_in(units):
+    with display_units(units):
         return solve(given)
 
 

@@ -11,7 +11,7 @@ from typing import Final
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from nonhertz.amounts import SI, SYSTEMS, read_in
+from nonhertz.amounts import SI, SYSTEMS, display_units
 from nonhertz.web.limits import HEADER_BYTES
 from nonhertz.web.view.replies import refusal
 
@@ -74,7 +74,7 @@ class Guard:
             app = refusal(431, "The headers of the request are too long.")
         elif units not in SYSTEMS:
             app = refusal(400, f"The units must be {' or '.join(map(repr, SYSTEMS))}.")
-        with read_in(units if units in SYSTEMS else SI.code):  # each request has a context of its own
+        with display_units(units if units in SYSTEMS else SI.code):  # each request has a context of its own
             await app(scope, receive, _with_headers(send))
 
     def reason(self, scope: Scope) -> str | None:

@@ -22,7 +22,7 @@ import anyio.to_thread
 from anyio.abc import TaskGroup
 from starlette.exceptions import HTTPException
 
-from nonhertz.amounts import chosen, read_in
+from nonhertz.amounts import current_units, display_units
 from nonhertz.web.limits import WAITING_REQUESTS, WAITING_SECONDS
 
 WARM_UP_SECONDS: Final = 60.0
@@ -89,7 +89,7 @@ class Worker:
     def do(self, job: Job, arguments: tuple[Any, ...], seconds: float) -> Any:
         """Return what a job returns in the units that are chosen here; raise as `wait` does."""
         try:
-            self._connection.send_bytes(pickle.dumps((job, arguments, chosen().code)))
+            self._connection.send_bytes(pickle.dumps((job, arguments, current_units().code)))
         except OSError:
             raise EndedError("its process ended") from None
         return self.wait(seconds)
@@ -255,7 +255,7 @@ def _work(connection: Connection, warm_up: Job | None) -> None:
             job, arguments, units = pickle.loads(connection.recv_bytes())
         except (EOFError, OSError):
             return
-        with read_in(units):
+        with display_units(units):
             _answer(connection, job, arguments)
 
 

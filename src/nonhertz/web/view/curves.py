@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import Any, Final
 
-from nonhertz.amounts import read_in
+from nonhertz.amounts import display_units
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
 from nonhertz.files.paths import parameter, parameters
@@ -39,7 +39,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
     # Under a spectrum every point would be a dozen solutions.
     with_life = isinstance(life, dict) and "spectrum" not in life
     quantities = chosen((*_NAMES, "life") if with_life else _NAMES, bearing=False)
-    with read_in("si"):
+    with display_units("si"):
         scales = [quantity.amount().scale for quantity in quantities]
     points: list[dict[str, Any]] = []
     for value in values:

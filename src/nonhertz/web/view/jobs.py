@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, Literal, TypeVar
 
-from nonhertz.amounts import chosen
+from nonhertz.amounts import current_units
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearing_document import PARTS
@@ -203,7 +203,7 @@ def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
 
     case = sound(document, kind)
     solved = _loaded(case)[0] if isinstance(case, BearingCase) else case
-    return compose([solved], title_block=case.title_block.dated(), units=chosen().code).encode()
+    return compose([solved], title_block=case.title_block.dated(), units=current_units().code).encode()
 
 
 def warm_up() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import Amount, amount, digits, mm, mpa, newton, um
+from nonhertz.amounts import Amount, amount, format_digits, mm, mpa, newton, um
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.equilibrium import without_rounding
 from nonhertz.bearing.section import RINGS
@@ -133,10 +133,10 @@ def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[Tile]:
     shown = tile(name, amount(revolutions, "10⁶ rev"), how, "3")
     if speed:
         hours = amount(revolutions * 1e6 / (60.0 * speed), "hours")
-        shown = tile(name, hours, f"{digits(revolutions, 3)} 10⁶ rev, {how}")
+        shown = tile(name, hours, f"{format_digits(revolutions, 3)} 10⁶ rev, {how}")
     clean = "cleanliness not given"
     if life.contamination is not None:
-        clean = f"cleanliness e_C = {digits(life.contamination, 3)}"
+        clean = f"cleanliness e_C = {format_digits(life.contamination, 3)}"
     return [
         shown,
         *(
