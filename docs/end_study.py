@@ -95,7 +95,7 @@ def main() -> None:
 def _page() -> Iterator[str]:
     yield "# What strips make of a sharp end"
     yield ""
-    yield "Written by `docs/end_study.py`; do not edit. What it means is in [theory.md](theory.md#sharp-ends)."
+    yield "Written by `docs/end_study.py`; do not edit. What it means is in [the theory](singular-ends.md#sharp-ends)."
     yield ""
     yield "Rollers of 20 mm diameter on a flat, both half-spaces of steel, with images that add up to kappa. The"
     yield "reference leaves the pressure across free; `docs/end_study.py` says how. *Of strips* is K on the"

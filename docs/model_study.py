@@ -37,7 +37,7 @@ _OPENING = """\
 # What each choice of side faces and depth changes
 
 Written by `docs/model_study.py`; do not edit. What the choices are is in
-[validity.md](validity.md#side-faces-what-to-choose).
+[validity.md](model-choices.md#side-faces-what-to-choose).
 
 The choice is that of the roller, all of steel; the ring is a half-space without ends. The first row of each table is
 the whole roller with free ends, whose displacements agree with [three-dimensional finite

@@ -12,7 +12,7 @@
 // step which is shortened until the slope along it has fallen always leads on. Near the balance, ring and rollers step
 // together; where such steps do not lead on, they step in turn, and the ring waits until every roller has ended its
 // steps. Where nothing resists, as with a roller that touches nothing, there is nothing to balance, and it stays where
-// it is. docs/explain/theory.md has the details.
+// it is. docs/explain/equilibrium.md has the details.
 #pragma once
 
 #include "bearing/assembly.hpp"

@@ -1,6 +1,6 @@
 """Rollers between rings in equilibrium: the motion of the inner ring under given forces, moments and displacements.
 
-The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/theory.md. Here
+The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/equilibrium.md. Here
 rollers and their contacts are put together for it, and the states that it returns are arrays.
 """
 
