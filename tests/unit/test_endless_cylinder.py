@@ -16,7 +16,7 @@ from nonhertz.strip.influence import displacements
 @pytest.mark.parametrize(
     ("poisson", "n", "k", "expected"),
     [
-        # From the same potentials by other hands (faces-and-depth.md).
+        # From the same potentials by other hands (depth.md).
         (0.3, 0, 1.0, 0.3819), (0.3, 2, 0.5, 0.55977), (0.3, 4, 2.0, 0.22638), (0.3, 10, 3.0, 0.09449),
         (0.0, 0, 1.0, 0.49543), (0.0, 2, 0.5, 0.49617), (0.0, 4, 2.0, 0.21986), (0.0, 10, 3.0, 0.09297),
     ],

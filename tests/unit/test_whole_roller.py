@@ -39,7 +39,7 @@ PLACES = np.array([-1.0, -0.8, -0.4, 0.0, 0.4, 0.8, 1.0])
 
 @pytest.mark.parametrize(
     ("poisson", "modes"),
-    [  # of n, k: of an endless cylinder, from its Papkovich-Neuber solution (faces-and-depth.md)
+    [  # of n, k: of an endless cylinder, from its Papkovich-Neuber solution (depth.md)
         (0.3, {(0, 1.0): 0.3819, (2, 0.5): 0.55977, (4, 2.0): 0.22638, (10, 3.0): 0.09449}),
         (0.0, {(0, 1.0): 0.49543, (2, 0.5): 0.49617, (4, 2.0): 0.21986, (10, 3.0): 0.09297}),
     ],

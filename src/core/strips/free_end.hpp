@@ -1,7 +1,7 @@
 // What a side face that is free of normal stress adds to the displacement and curvature of strips and their images.
 //
 // All functions are read from one table, which Python makes once for a Poisson's ratio: polynomials on squares that
-// double in size away from the face, then series in 1/a^2 (docs/explain/faces-and-depth.md).
+// double in size away from the face, then series in 1/a^2 (docs/explain/side-faces.md).
 #pragma once
 
 #include <array>

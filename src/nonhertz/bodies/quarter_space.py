@@ -16,7 +16,7 @@ for both faces. The loads beyond the given one are T = A (1 - A A)^-1 A, and
 
     e(u, v) = 2 integral of [K0(|u - t|) + K0(u + t)] T(t, v) dt
 
-is the displacement over the half-space compliance K per unit of load (theory: docs/explain/faces-and-depth.md).
+is the displacement over the half-space compliance K per unit of load (theory: docs/explain/side-faces.md).
 
 References
 ----------
