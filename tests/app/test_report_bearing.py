@@ -47,7 +47,7 @@ def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
 
 
 def numbers_of(found: BearingResults) -> dict[str, tuple[str, str]]:
-    rows = [*summary_rows(found.case, found.solution), *life_rows(found.life, found.reason, 1500.0)]
+    rows = [*summary_rows(found.case, found.solution), *life_rows(found.life, found.reason)]
     return {name: (value, remark) for name, value, remark in first_numbers(found, rows)}
 
 

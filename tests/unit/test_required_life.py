@@ -57,6 +57,18 @@ def test_hours_are_revolutions_at_the_speed(loaded):
         nh.bearing.assess(loaded, required="1000 h")
 
 
+def test_every_life_is_in_hours_too_where_the_speed_is_known(loaded):
+    life = nh.bearing.assess(loaded, speed=1500)
+    # 1500 1/min are 0.09 million revolutions an hour.
+    assert life.rated_hours == pytest.approx(life.rated_life / 0.09)
+    assert life.hours(life.basic_life) == pytest.approx(life.basic_life / 0.09)
+    both = nh.bearing.assess([(loaded, 0.5), (loaded, 0.5)], speed=[1000, 3000])
+    # As above, 0.09 million revolutions an hour; the parts have speeds of their own.
+    assert both.rated_hours == pytest.approx(life.rated_hours)
+    assert [part.speed for part, _ in both.parts] == [1000, 3000]
+    assert math.isnan(nh.bearing.assess(loaded).rated_hours)
+
+
 @pytest.mark.parametrize("wrong", ["20000", "0 h", "-3 h", "a while", 0.0, -1.0, math.nan, True])
 def test_other_lives_are_refused(loaded, wrong):
     with pytest.raises(nh.InputError, match=r"^required = "):

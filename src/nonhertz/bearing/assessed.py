@@ -93,6 +93,8 @@ class BearingLife(HasFindings):
         The life that is asked for; None if none is.
     basis : str
         The text that L10r follows, where it departs from that, and whether the bearing is beyond its scope.
+    speed : float or None
+        Speed at which revolutions become hours [1/min]: of a spectrum the mean over the time; None if one is not known.
     """
 
     rating: Rating
@@ -109,6 +111,11 @@ class BearingLife(HasFindings):
     assumed: tuple[Finding, ...] = ()
     required: float | None = None
     basis: str = _TEXT
+    speed: float | None = None
+
+    def hours(self, life: float) -> float:
+        """Return a life of 10^6 revolutions in hours; NaN without a speed."""
+        return math.nan if self.speed is None else life * 1e6 / (60.0 * self.speed)
 
     @property
     def basic_life(self) -> float:
@@ -124,6 +131,11 @@ class BearingLife(HasFindings):
     def rated_life(self) -> float:
         """The life that stands: L_nmr if there is one, or else a_1 L10r."""
         return self.reliability_factor * self.reference_life * (1.0 if self.life_factor is None else self.life_factor)
+
+    @property
+    def rated_hours(self) -> float:
+        """The life that stands [h]; NaN without a speed."""
+        return self.hours(self.rated_life)
 
     @property
     def no_modified(self) -> str:
@@ -311,7 +323,7 @@ def assess(
         or with `shares_of_revolutions`. Shares are taken as they are; where they add up to less than 1, nothing is
         loaded for the rest.
     speed : float or sequence of float, optional
-        [1/min], beside a viscosity or a life required in hours; of a spectrum one for all loads, or one for each.
+        [1/min], for a modified life and for lives in hours; of a spectrum one for all loads, or one for each.
     {OilInPlace}
     {LifeConditions}
 
@@ -346,13 +358,10 @@ def assess(
     _check_oil(asked, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
-    found = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
+    life = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
     if asked.required is None:
-        return found
-    # Shares are those of the revolutions: slow ones take longer.
-    minutes = [share / pace for (_, share), pace in zip(pairs, speeds, strict=True) if pace is not None]
-    speed_of_all = math.fsum(share for _, share in pairs) / math.fsum(minutes) if minutes else None
-    return replace(found, required=million_revolutions(asked.required, speed_of_all))
+        return life
+    return replace(life, required=million_revolutions(asked.required, life.speed))
 
 
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
@@ -369,8 +378,6 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
 
 def _check_oil(asked: _Conditions, speed: object, solution: BearingSolution) -> None:
     if asked.viscosity is None:
-        if speed is not None and not isinstance(asked.required, str):
-            raise InputError("speed", speed, "be given with a viscosity", "give the viscosity too, or leave it out")
         return
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
@@ -426,6 +433,7 @@ def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) ->
         axial_on_ribs=axial_on_ribs(solution),
         assumed=assumed({"": asked}),
         basis=_basis(solution, stress),
+        speed=speed,
     )
 
 
@@ -449,6 +457,8 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Conditions) 
     loads = [each.equivalent_load for each in lives]
     first = lives[0]
     of_oil = MOST_FACTOR if math.isinf(reference) else rated / (asked.reliability_factor * reference)
+    # Shares are those of the revolutions: slow ones take longer.
+    minutes = [share / life.speed for life, share in parts if life.speed is not None]
     return replace(
         first,
         equivalent_load=float(np.dot(np.power(loads, _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)),
@@ -460,4 +470,5 @@ def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Conditions) 
         singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
         parts=parts,
         axial_on_ribs=max(each.axial_on_ribs for each in lives),
+        speed=math.fsum(shares) / math.fsum(minutes) if minutes else None,
     )

@@ -112,6 +112,7 @@ def _quantities() -> Iterator[Quantity]:
     yield life("basic_life", "life L10", "L10")
     yield life("reference_life", "reference life", "L10r")
     yield life("modified_life", "modified life", "Lnmr")
+    yield life("rated_hours", "rated life in hours", "Lnmh", "h", "")
     yield life("static_safety", "static safety", "S0", "", "")
     least, smallest = partial(_least, name="least_film"), partial(_least, name="film_parameter")
     yield Quantity("least_film", "least film", "h_min", "mm", least, "um", within="film")

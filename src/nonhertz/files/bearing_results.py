@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from operator import itemgetter
 from types import SimpleNamespace
@@ -132,6 +132,13 @@ _RATING: Final = (
     Key("reduction", "lambda nu, reduction of C for uneven line loads"),
 )
 _REVOLUTIONS: Final = "10^6 revolutions"
+_IN_HOURS: Final = {"basic": "L10", "reference": "L10r", "modified": "L_nmr", "rated": "the life that stands"}
+
+
+def _hours(name: str) -> Callable[[BearingLife], float]:
+    return lambda life: life.hours(getattr(life, name))
+
+
 _OF_LOAD: Final = (
     Key("rating", "load ratings by ISO 281 and ISO 76", holds=_RATING),
     Key("equivalent_load", "P; of a spectrum, the constant load with the same L10", "N"),
@@ -145,6 +152,11 @@ _OF_LOAD: Final = (
     Key("reliability_factor", "a_1"),
     Key("modified_life", "L_nmr; null where no_modified says why", _REVOLUTIONS),
     Key("rated_life", "the life that stands: L_nmr, or a_1 L10r where there is none", _REVOLUTIONS),
+    Key("speed", "speed at which revolutions become hours; null if it is not known", "1/min"),
+    *(
+        Key(f"{name}_hours", f"{meaning}; null without a speed", "h", _hours(f"{name}_life"))
+        for name, meaning in _IN_HOURS.items()
+    ),
     Key("static_safety", "S0 = C0 / P0; null without load"),
     Key("no_reference", "why there is no L10r; empty if there is one", holds="string"),
     Key("no_modified", "why there is no modified life; empty if there is one", holds="string"),

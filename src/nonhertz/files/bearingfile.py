@@ -147,15 +147,6 @@ class BearingCase(HeldCase):
         return tuple(case if case.speed else replace(case, speed=speed) for case in self.life.spectrum)
 
     @property
-    def mean_speed(self) -> float:
-        """Speed at which revolutions become hours [1/min], of a spectrum the mean over the time; zero if unknown."""
-        if not self.spectrum:
-            return self.prescribed.speed
-        if not all(case.speed for case in self.spectrum):
-            return 0.0
-        return sum(case.share for case in self.spectrum) / sum(case.share / case.speed for case in self.spectrum)
-
-    @property
     def operating_clearance(self) -> OperatingClearance | None:
         """What fits, temperatures and speed leave of the clearance of a row, and what each takes; None without fits.
 
@@ -378,10 +369,11 @@ class BearingCase(HeldCase):
                 oil = {}
             conditions = oil | self.life.keywords
             conditions.pop("spectrum")
-            turning = bool(oil) or isinstance(self.life.required, str)
             if not self.spectrum:
-                return assess(solution, **conditions, speed=self.prescribed.speed or None if turning else None)
-            speeds = [case.speed for case in self.spectrum] if turning else None
+                return assess(solution, **conditions, speed=self.prescribed.speed or None)
+            required = bool(oil) or isinstance(self.life.required, str)
+            known = required or all(case.speed for case in self.spectrum)
+            speeds = [case.speed for case in self.spectrum] if known else None
             pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
             return assess(pairs, **conditions, speed=speeds)
         except InputError as error:

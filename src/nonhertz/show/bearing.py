@@ -56,7 +56,7 @@ _PLAY = 1e-3  # mm, below which diameters are rounded
 
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
-    lives = life_rows(life, reason, case.mean_speed) if life is not None or reason else []
+    lives = life_rows(life, reason) if life is not None or reason else []
     if lives and case.spectrum:
         share = f"{format_input(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
@@ -102,7 +102,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     ]
 
 
-def life_rows(found: BearingLife | None, reason: str, speed: float | None = None) -> list[Row]:
+def life_rows(found: BearingLife | None, reason: str) -> list[Row]:
     """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
     if found is None:
         return [("life", "none", reason)]
@@ -111,8 +111,8 @@ def life_rows(found: BearingLife | None, reason: str, speed: float | None = None
     def beside(life: float, remark: str = "") -> str:
         """Return a remark after a life in hours, if there is one."""
         hours = ""
-        if speed and math.isfinite(life):
-            hours = f"{format_digits(life * 1e6 / (60.0 * speed), 4)} hours at {format_input(float(speed), 4)} 1/min"
+        if found.speed and math.isfinite(life):
+            hours = f"{format_digits(found.hours(life), 4)} hours at {format_input(float(found.speed), 4)} 1/min"
         return ", ".join(filter(None, (hours, remark)))
 
     factors, of_oil = found.factors

@@ -228,11 +228,10 @@ def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | 
         for motion, value in zip(_MOTIONS, row, strict=True)
     }
     lives = {} if life is None else {name: 1e6 * getattr(life, name) for name in _LIVES}
-    speed = 60.0 * case.mean_speed
     pressure = dict(zip(RINGS, solution.max_pressure.max(axis=0), strict=True)) if solution.method == "strips" else {}
     return SimpleNamespace(
         case=case, life=life, stiffness=stiffness, revolutions=lives,
-        hours={name: entry / speed for name, entry in lives.items()} if speed else {},
+        hours={name: life.hours(1e-6 * entry) for name, entry in lives.items()} if life and life.speed else {},
         pressure=pressure | ({"both": max(pressure.values())} if pressure else {}),
     )  # fmt: skip
 

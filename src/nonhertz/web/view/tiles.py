@@ -125,15 +125,14 @@ def _pressure(solution: BearingSolution) -> Tile:
 
 
 def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[Tile]:
-    """Return life, in hours where there is one speed, static safety, and the viscosity ratio with the cleanliness."""
-    kappa, speed = life.viscosity_ratio, None if case.spectrum else case.prescribed.speed
+    """Return life, in hours where the speed is known, static safety, and the viscosity ratio with the cleanliness."""
+    kappa = life.viscosity_ratio
     # That the cleanliness is missing is said beside the viscosity ratio.
     how = life.no_modified if life.no_modified and kappa is None else f"by {method}"
     revolutions, name = life.rated_life, "Rated life" if life.no_modified else "Modified life"
     shown = tile(name, amount(revolutions, "10⁶ rev"), how, "3")
-    if speed:
-        hours = amount(revolutions * 1e6 / (60.0 * speed), "hours")
-        shown = tile(name, hours, f"{format_digits(revolutions, 3)} 10⁶ rev, {how}")
+    if life.speed:
+        shown = tile(name, amount(life.rated_hours, "hours"), f"{format_digits(revolutions, 3)} 10⁶ rev, {how}")
     clean = "cleanliness not given"
     if life.contamination is not None:
         clean = f"cleanliness e_C = {format_digits(life.contamination, 3)}"
