@@ -135,7 +135,9 @@ def test_the_film_parameter_is_judged_where_the_roughness_is_known():
     assert "lambda of the least film is" in str(next(each for each in verdict.findings if each.kind == "film"))
     coarse = case(**dict.fromkeys(ROUGH, "1 um"))
     solved = coarse.solve()
-    assert of_bearing(solved, None, None, coarse.films(solved)).level is Level.NOT_MET
+    verdict = of_bearing(solved, None, None, coarse.films(solved))
+    assert verdict.level is Level.STRAINED
+    assert "which shortens the life unless additives protect them" in verdict.sentence
 
 
 def test_without_a_speed_or_an_oil_a_film_is_not_judged():

@@ -140,3 +140,12 @@ def test_the_verdict_counts_the_stress_of_rings():
 def test_a_series_of_another_kind_is_refused():
     with pytest.raises(nh.InputError, match="series = '302' must be one of '10', '2'"):
         nj206(series="302")
+
+
+def test_additives_are_demanded_of_thin_oil_alone():
+    """nu_1 is 4500 / sqrt(3000 * 46.5) = 12.05 mm^2/s, 0.4 of it 4.82."""
+    for viscosity, named in ((4.8, True), (4.85, False)):
+        case = replace(case_of(nj206()), lubrication=nh.bearing.Lubrication(viscosity=viscosity))
+        assert ("additives" in kinds(case)) is named
+    level, sentence = kinds(replace(case, lubrication=nh.bearing.Lubrication(viscosity=4.8)))["additives"]
+    assert (level, sentence.split(",")[0]) == ("NOT_JUDGED", "With kappa of 0.398")

@@ -15,7 +15,8 @@ with k_S from 10 to 15 in an oil sump.
 References
 ----------
 SKF: Rolling bearings (2018), pages 106, 510 and 511; INA/FAG: Rolling Bearings, HR 1 (2006), page 49; NTN: Ball and
-Roller Bearings, 2203/E, page A-78, for the stress of rings.
+Roller Bearings, 2203/E, page A-78, for the stress of rings; SKF, the viscosity ratio (skf.com), and ZKL: Rolling
+Bearings, section 4.2.1, for additives.
 """
 
 from __future__ import annotations
@@ -43,6 +44,7 @@ _AREA: Final = 50000.0  # mm^2
 _LUBRICATION: Final = {  # k_1, k_2 by (full complement, grease)
     (False, False): (1.5, 0.15), (False, True): (1.0, 0.1), (True, False): (1.0, 0.3), (True, True): (0.5, 0.15),
 }  # fmt: skip
+_UNPROTECTED: Final = 0.4  # kappa
 _LEAST_LOAD: Final = 0.02  # of C; of spherical bearings 0.01 of C_0
 
 
@@ -155,7 +157,7 @@ def limits(
             *_least_load(solution, rating, speed),
         ]
         found += _speed(solution, rating.static, speed)
-    return tuple(found)
+    return (*found, *_additives(viscosity_ratio))
 
 
 def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, ratio: float | None) -> Iterator[Limit]:
@@ -213,6 +215,13 @@ def _speed(solution: BearingSolution, static: float, speed: float) -> Iterator[L
     yield Limit(
         True if met else None, finding("speed", words, speed=format_digits(speed, 4), limit=format_digits(limit, 3))
     )
+
+
+def _additives(ratio: float | None) -> Iterator[Limit]:
+    if ratio is not None and ratio < _UNPROTECTED:
+        words = "With kappa of {ratio}, below {least}, makers demand EP additives (SKF, ZKL): whether the lubricant "
+        words += "has them is not judged."
+        yield Limit(None, finding("additives", words, ratio=format_digits(ratio, 3), least=format_digits(_UNPROTECTED, 2)))
 
 
 def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:

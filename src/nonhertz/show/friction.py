@@ -14,6 +14,7 @@ _NAMES = {
     "hoop-stress": "stress of rings",
     "speed": "speed",
     "preload-lost": "preload",
+    "additives": "additives",
 }
 
 
