@@ -14,7 +14,7 @@ from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.keys import Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.files.profiles import Changes
 from nonhertz.files.sections import CaseDocument
-from nonhertz.inputs.fields import (
+from nonhertz.inputs.descriptions import (
     Count,
     Custom,
     Flag,
@@ -24,7 +24,7 @@ from nonhertz.inputs.fields import (
     Quantity,
     Several,
     Word,
-    text_of,
+    describe_field,
 )
 
 if TYPE_CHECKING:
@@ -102,7 +102,7 @@ def _keys(table: Table) -> list[str]:
     usual = any(each.meaning == table.meaning for each in table.kinds.values())
     head = [("``kind``", _words(table.kinds), "", "" if usual else "must be there", table.meaning_of_kind)]
     rows = [
-        (f"``{name}``", kind(key), "" if key.several else unit_of(key), _default(key), text_of(key.each))
+        (f"``{name}``", kind(key), "" if key.several else unit_of(key), _default(key), describe_field(key.each))
         for name, key in table.keys.items()
     ]
     return list_table(("key", "value", "unit", "default", "meaning"), [*(head if table.kinds else []), *rows])

@@ -13,7 +13,7 @@ from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import TEMPLATES as TEMPLATES_OF_CASES
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.hertz import line_contact
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.units import to_unit
 from nonhertz.solver.one import solve
 from nonhertz.web.form.ranges import form_state
 from nonhertz.web.form.schema import form_schema
@@ -73,8 +73,8 @@ def test_sizes_of_units_are_those_of_files():
     for base, words in CHOICES.items():
         for word, factor in words.items():
             if word != SLOPE:
-                assert in_unit("x", f"1 {word}", base) == pytest.approx(factor, rel=1e-12)
-    assert in_unit("x", "1e-3 um/mm", "rad") == pytest.approx(1e-3 * CHOICES["rad"][SLOPE], rel=1e-9)
+                assert to_unit("x", f"1 {word}", base) == pytest.approx(factor, rel=1e-12)
+    assert to_unit("x", "1e-3 um/mm", "rad") == pytest.approx(1e-3 * CHOICES["rad"][SLOPE], rel=1e-9)
 
 
 @pytest.mark.parametrize("name", [None, *TEMPLATES_OF_CASES])

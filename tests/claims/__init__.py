@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from claims.claim import Claim, Section, forget, named
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.inputs.fields import unknown
+from nonhertz.inputs.descriptions import unknown_word_error
 
 #: Module and function of the claims of every section, and its title, in reading order.
 CATALOGUE = {
@@ -50,7 +50,7 @@ def chosen(only: Iterable[str] = ()) -> tuple[str, ...]:
     names = list(only)
     for name in names:
         if name not in CATALOGUE:
-            raise unknown("--only", name, "section", CATALOGUE)
+            raise unknown_word_error("--only", name, "section", CATALOGUE)
     return tuple(name for name in CATALOGUE if name in names or not names)
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 import nonhertz as nh
 from nonhertz import bearing, hertz, life, measured, profile, strength, subsurface
-from nonhertz.inputs import checks, fields
+from nonhertz.inputs import checks, descriptions
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -85,13 +85,13 @@ OF_NAME = {
 }
 
 
-def of_field(each: fields.Described) -> set[str]:
+def of_field(each: descriptions.Description) -> set[str]:
     """Return what the description of a field refuses."""
     words = getattr(each, "words", ())
     match each:
-        case fields.Quantity(condition=checks.above_zero):
+        case descriptions.Quantity(condition=checks.above_zero):
             return NUMBER - {"huge"} | {"minus one", "zero"}
-        case fields.Quantity(condition=condition):
+        case descriptions.Quantity(condition=condition):
             more = (
                 POSITIVE
                 if condition is checks.positive
@@ -104,10 +104,15 @@ def of_field(each: fields.Described) -> set[str]:
                 {"inf", "function"} if condition not in (checks.finite, checks.positive, checks.not_negative) else set()
             )
             return (NUMBER | more) - ({"function"} if words else set()) - own
-        case fields.Word():
+        case descriptions.Word():
             return ALL if words else ALL - {"text", "empty text"}
-    kinds = {fields.Count: COUNT, fields.Flag: OF_TYPE[bool], fields.Quantities: NO_NUMBERS, fields.Part: ALL}
-    if isinstance(each, fields.Count) and each.least > 0:
+    kinds = {
+        descriptions.Count: COUNT,
+        descriptions.Flag: OF_TYPE[bool],
+        descriptions.Quantities: NO_NUMBERS,
+        descriptions.Part: ALL,
+    }
+    if isinstance(each, descriptions.Count) and each.least > 0:
         return COUNT | {"zero"}
     return kinds.get(type(each), NO_VALUE)
 

@@ -12,7 +12,7 @@ import pytest
 import nonhertz as nh
 from nonhertz.files.results import Key, units_of
 from nonhertz.files.schemas import RESULTS
-from nonhertz.inputs.fields import Quantities, Quantity
+from nonhertz.inputs.descriptions import Quantities, Quantity
 from nonhertz.model.profile import PARAMETERS
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "nomenclature.md"

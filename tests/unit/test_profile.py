@@ -10,7 +10,7 @@ import pytest
 
 from nonhertz import SEMI_ELLIPTIC
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Quantities, Quantity
+from nonhertz.inputs.descriptions import Quantities, Quantity
 from nonhertz.model import profile as catalogue
 from nonhertz.model.body import Body
 from nonhertz.model.profile import (

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import nonhertz as nh
 from nonhertz.errors import InputError
 from nonhertz.inputs import units
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.units import to_unit
 
 UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
 
@@ -62,11 +62,11 @@ UNITS = ("mm", "N", "MPa", "1/MPa", "rad", "N mm")
 )
 def test_text_with_a_unit_is_read(text, unit, number):
     # One rounding of the factor and one of the product.
-    assert in_unit("field", text, unit) == pytest.approx(number, rel=4e-16, abs=0.0)
+    assert to_unit("field", text, unit) == pytest.approx(number, rel=4e-16, abs=0.0)
 
 
 def test_decimal_submultiples_do_not_gain_digits():
-    assert [in_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [float(f"0.{i}e-3") for i in range(1, 10)]
+    assert [to_unit("field", f"0.{i} um", "mm") for i in range(1, 10)] == [float(f"0.{i}e-3") for i in range(1, 10)]
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_decimal_submultiples_do_not_gain_digits():
 )
 def test_a_refusal_is_one_sentence(text, unit, sentence):
     with pytest.raises(InputError) as caught:
-        in_unit("length", text, unit)
+        to_unit("length", text, unit)
     assert str(caught.value).startswith(f"length = '{text}' must have {sentence}")
 
 
@@ -98,10 +98,10 @@ def test_a_refusal_is_one_sentence(text, unit, sentence):
 def test_of_a_dynamic_viscosity_the_density_is_asked_for(text):
     # 1 mPa s over 1 g/cm^3 is 1 mm^2/s.
     with pytest.raises(InputError) as caught:
-        in_unit("viscosity", text, "mm^2/s")
+        to_unit("viscosity", text, "mm^2/s")
     said = "divide by the oil's density, of which 0.87 g/cm^3 makes '22.99 mm^2/s'"
     assert str(caught.value) == f"viscosity = '{text}' must be a kinematic viscosity: {said}."
-    assert in_unit("viscosity", "22.99 mm^2/s", "mm^2/s") == pytest.approx(20.0 / 0.87, rel=1e-4)
+    assert to_unit("viscosity", "22.99 mm^2/s", "mm^2/s") == pytest.approx(20.0 / 0.87, rel=1e-4)
 
 
 @pytest.mark.parametrize("text", ["20 inch", "8 um/25 yd"])
@@ -109,7 +109,7 @@ def test_without_pint_a_unit_is_refused_in_a_sentence(text, monkeypatch):
     monkeypatch.setitem(sys.modules, "pint", None)
     units._factor.cache_clear()
     with pytest.raises(InputError, match=r"must be a plain number in rad where pint, .*: pip install pint\.$"):
-        in_unit("angle", text, "rad")
+        to_unit("angle", text, "rad")
     with pytest.raises(InputError, match=r"^diameter = '2 cm' must be a plain number in mm where pint, which reads"):
         nh.Roller(diameter="2 cm", length=20.0)
     assert nh.Roller(diameter="20 mm", length=20.0).diameter == 20.0
@@ -117,10 +117,10 @@ def test_without_pint_a_unit_is_refused_in_a_sentence(text, monkeypatch):
 
 @pytest.mark.parametrize(("unit", "text"), [(unit, text) for unit, known in units._KNOWN.items() for text in known])
 def test_units_that_are_known_without_pint_are_what_pint_says(unit, text, monkeypatch):
-    known = in_unit("field", f"0.7 {text}", unit)
+    known = to_unit("field", f"0.7 {text}", unit)
     monkeypatch.setattr(units, "_KNOWN", {})
     units._factor.cache_clear()
-    assert in_unit("field", f"0.7 {text}", unit) == known
+    assert to_unit("field", f"0.7 {text}", unit) == known
 
 
 @pytest.mark.parametrize(
@@ -147,23 +147,23 @@ def test_units_that_are_known_without_pint_are_what_pint_says(unit, text, monkey
 )
 def test_what_is_no_quantity_of_the_kind_is_refused(text, unit):
     with pytest.raises(InputError):
-        in_unit("field", text, unit)
+        to_unit("field", text, unit)
 
 
 @pytest.mark.parametrize("value", [True, None, [1.0], {"a": 1}])
 def test_what_is_neither_number_nor_text_is_left_to_the_model(value):
-    assert in_unit("field", value, "mm") is value
+    assert to_unit("field", value, "mm") is value
 
 
 def test_integers_too_large_for_a_float_become_infinite():
-    assert in_unit("field", 10**400, "mm") == math.inf
-    assert in_unit("field", -(10**400), "mm") == -math.inf
+    assert to_unit("field", 10**400, "mm") == math.inf
+    assert to_unit("field", -(10**400), "mm") == -math.inf
 
 
 def read_or_refused(text: str, unit: str) -> float | str:
     """Return the number, or the sentence that refuses the text."""
     try:
-        return float(in_unit("field", text, unit))
+        return float(to_unit("field", text, unit))
     except InputError as error:
         return str(error)
 
@@ -172,9 +172,9 @@ def read_or_refused(text: str, unit: str) -> float | str:
 @settings(deadline=None)
 @given(rise=st.floats(-100.0, 100.0), run=st.floats(1e-3, 100.0))
 def test_a_slope_is_the_angle_of_that_tangent(rise, run):
-    angle = in_unit("field", f"{rise} um/{run} mm", "rad")
+    angle = to_unit("field", f"{rise} um/{run} mm", "rad")
     assert math.tan(angle) == pytest.approx(1e-3 * rise / run, rel=1e-13)
-    assert in_unit("field", f"{rise / run!r} um/mm", "rad") == pytest.approx(angle, rel=1e-14)
+    assert to_unit("field", f"{rise / run!r} um/mm", "rad") == pytest.approx(angle, rel=1e-14)
 
 
 # The first text with a unit imports pint.

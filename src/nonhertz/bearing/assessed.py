@@ -36,9 +36,10 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.assumed import Assumed, assumed
+from nonhertz.inputs.assumed import Assumed, collect_assumptions
 from nonhertz.inputs.checks import numbers, positive
-from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, taking
+from nonhertz.inputs.descriptions import Count, Quantity, Word
+from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import checked_shares, miner
@@ -241,7 +242,7 @@ def _reliability(name: str, value: float, remedy: str) -> None:
 _RATING = "give the load rating in N"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class LifeConditions(Input):
     """Under which conditions a bearing is assessed, beside its speed and its oil.
 
@@ -293,12 +294,12 @@ class LifeConditions(Input):
         return reliability_factor(self.reliability)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class _Conditions(LifeConditions, OilInPlace):
     """The same with the oil."""
 
 
-@taking(OilInPlace, LifeConditions)
+@document_parameters(OilInPlace, LifeConditions)
 def assess(
     solution: Loaded,
     *,
@@ -431,7 +432,7 @@ def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) ->
         reliability_factor=asked.reliability_factor,
         singular_ends=tuple(ends),
         axial_on_ribs=axial_on_ribs(solution),
-        assumed=assumed({"": asked}),
+        assumed=collect_assumptions({"": asked}),
         basis=_basis(solution, stress),
         speed=speed,
     )

@@ -19,7 +19,8 @@ from nonhertz.bearing.section import raceway_motion
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, positive
-from nonhertz.inputs.fields import Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.fields import cross_check, input_class
 from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.profile import crown
@@ -30,7 +31,7 @@ _GROOVE = "give that of the groove along the rollers in mm"
 _RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class CylindricalRollerBearing(RollerBearing):
     """A row of cylindrical rollers, whose ribs hold the inner ring along the axis or not.
 
@@ -70,7 +71,7 @@ class CylindricalRollerBearing(RollerBearing):
         Assumed("no axial clearance", "the axial displacement", lambda row: any(row.bears_axially)),
     ] = 0.0
 
-    @together("design", "rib")
+    @cross_check("design", "rib")
     def _check_design(self) -> None:
         if self.rib is not None and not any(self.bears_axially):
             remedy = "use NJ, NF or NUP, or leave out the rib"
@@ -98,12 +99,12 @@ class CylindricalRollerBearing(RollerBearing):
         return tuple(end.contact(rib, place, gap, compliances[place[0]]) for place in DESIGNS[self.design])
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class NeedleRollerBearing(CylindricalRollerBearing):
     """A row of needle rollers: cylindrical ones that are long and thin."""
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class TaperedRollerBearing(RollerBearing):
     """A row of tapered rollers, which bears axial loads on the inner ring along +x.
 
@@ -119,7 +120,7 @@ class TaperedRollerBearing(RollerBearing):
     clearance: Annotated[float | str, CLEARANCE, NO_CLEARANCE] = 0.0
     rib: Annotated[Rib | None, RIB] = None
 
-    @together("roller", "contact_angle")
+    @cross_check("roller", "contact_angle")
     def _check_cone(self) -> None:
         if self.roller.length is None:
             return  # which is the rollers' mistake
@@ -199,7 +200,7 @@ def _of_groove(ring: str) -> Quantity:
     )
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class SphericalRollerBearing(RollerBearing):
     """A row of barrels between grooves, of which the outer one is part of a sphere; usually one of two, in `Paired`.
 
@@ -223,11 +224,11 @@ class SphericalRollerBearing(RollerBearing):
     outer_groove: Annotated[float, _of_groove("outer")]
     clearance: Annotated[float | str, CLEARANCE, NO_CLEARANCE] = 0.0
 
-    @together("inner_groove", "profile_radius")
+    @cross_check("inner_groove", "profile_radius")
     def _check_inner_groove(self) -> None:
         self._refuse_groove("inner_groove", self.inner_groove)
 
-    @together("outer_groove", "profile_radius")
+    @cross_check("outer_groove", "profile_radius")
     def _check_outer_groove(self) -> None:
         self._refuse_groove("outer_groove", self.outer_groove)
 
@@ -267,7 +268,7 @@ class SphericalRollerBearing(RollerBearing):
         return Contact(roller, rings[0]), Contact(roller, rings[1])
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class CylindricalThrustBearing(RollerBearing):
     """Cylindrical rollers between two washers, which bears axial loads along +x and moments alone.
 

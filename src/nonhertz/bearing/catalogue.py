@@ -33,7 +33,8 @@ from nonhertz.bearing.parts import MOST_ROLLERS
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
-from nonhertz.inputs.fields import Quantity, Word, checked
+from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.fields import validate_call
 from nonhertz.life.capacity import Raceway
 from nonhertz.model import profile
 from nonhertz.model.body import Body, Ring, Roller, TabulatedDiameter
@@ -117,7 +118,7 @@ def _raceway(symbol: str, ring: str) -> Quantity:
     return Quantity("mm", f"{meaning} ribs; with both, rollers' diameter and pitch are not guessed", positive, remedy)
 
 
-@checked
+@validate_call
 def from_catalogue(
     bore: Annotated[float, _size("d", "the bore, d")],
     outside_diameter: Annotated[float, _size("D", "the outside diameter, D")],

@@ -42,7 +42,8 @@ from nonhertz.bearing.seats import (
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, one_of
-from nonhertz.inputs.fields import Input, Part, described
+from nonhertz.inputs.descriptions import Part
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.material import Material
 from nonhertz.model.materials import STEEL_EXPANSION, density_of, expansion_of
 
@@ -56,7 +57,7 @@ def _of_seat(ring: str, of: type[Seat], classes: Iterable[str], example: str) ->
 _COLD = Assumed(f"ring at {REFERENCE:g} °C", IN_OPERATION)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Mounting(Input):
     """Fits and temperatures, which leave the clearance that a bearing is solved with.
 

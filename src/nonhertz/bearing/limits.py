@@ -221,7 +221,9 @@ def _additives(ratio: float | None) -> Iterator[Limit]:
     if ratio is not None and ratio < _UNPROTECTED:
         words = "With kappa of {ratio}, below {least}, makers demand EP additives (SKF, ZKL): whether the lubricant "
         words += "has them is not judged."
-        yield Limit(None, finding("additives", words, ratio=format_digits(ratio, 3), least=format_digits(_UNPROTECTED, 2)))
+        yield Limit(
+            None, finding("additives", words, ratio=format_digits(ratio, 3), least=format_digits(_UNPROTECTED, 2))
+        )
 
 
 def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:

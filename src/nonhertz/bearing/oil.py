@@ -25,7 +25,8 @@ from nonhertz.bearing.lubrication import CLEANLINESS, GUIDE, oil_viscosity
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import number_that, positive
-from nonhertz.inputs.fields import Flag, Input, Quantities, Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Flag, Quantities, Quantity, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 
 _contamination = number_that(lambda value: value <= 1.0, "not exceed 1", positive)
 _index = number_that(lambda value: value <= 200.0, "not exceed 200")
@@ -80,7 +81,7 @@ def viscosity_at_100(viscosity: float, index: float) -> float:
     return 0.5 * (below + above)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class OilInPlace(Input):
     """What the life needs to know of the oil.
 
@@ -118,7 +119,7 @@ class OilInPlace(Input):
         ),
     ] = None
 
-    @together("viscosity", "contamination", "cleanliness")
+    @cross_check("viscosity", "contamination", "cleanliness")
     def _check_oil(self) -> None:
         for name in ("contamination", "cleanliness"):
             value = getattr(self, name)
@@ -131,7 +132,7 @@ class OilInPlace(Input):
         return self.viscosity is not None
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Lubrication(OilInPlace):
     """The oil in a bearing, or that of its grease.
 
@@ -196,13 +197,13 @@ class Lubrication(OilInPlace):
         Flag("whether the oil is that of a grease, whose films are taken as those of so much oil as they need"),
     ] = False
 
-    @together("oil", "viscosities", "temperature", "temperatures", "viscosity_index")
+    @cross_check("oil", "viscosities", "temperature", "temperatures", "viscosity_index")
     def _check_temperature(self) -> None:
         if self.temperature is None and (self.oil or self.viscosities):
             raise InputError("temperature", None, "be given with an oil", "give that of the oil in the bearing in degC")
         _ = self._viscosity
 
-    @together("grease", "cleanliness")
+    @cross_check("grease", "cleanliness")
     def _check_grease(self) -> None:
         if self.grease and str(self.cleanliness).startswith("-"):
             condition = f"be 'high' or one of {', '.join(map(repr, GUIDE))} for grease: codes are of circulating oil"

@@ -10,8 +10,9 @@ from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.parts import MOST_ROLLERS, NO_CLEARANCE
 from nonhertz.bearing.row import Row
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, flag, listed, positive
-from nonhertz.inputs.fields import Custom, Input, Part, Quantities, Quantity, Several, Word, described, together
+from nonhertz.inputs.checks import check_list, finite, flag, positive
+from nonhertz.inputs.descriptions import Custom, Part, Quantities, Quantity, Several, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 
 ARRANGEMENTS = ("X", "O", "tandem")
 _PRELOAD = Quantity(
@@ -24,13 +25,13 @@ _PRELOAD = Quantity(
 
 
 def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
-    found = listed(name, value, "be True or False for each row", remedy)
+    found = check_list(name, value, "be True or False for each row", remedy)
     for way in found:
         flag(name, way, remedy)
     return tuple(found)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Paired(Input):
     """Rows of rollers on one inner ring, or on rings that are clamped together.
 
@@ -66,7 +67,7 @@ class Paired(Input):
     ] = 0.0
     preload: Annotated[float | None, _PRELOAD] = None
 
-    @together("bearings", "x", "turned")
+    @cross_check("bearings", "x", "turned")
     def _check_rows(self) -> None:
         count = len(self.bearings)
         if not count:
@@ -74,13 +75,13 @@ class Paired(Input):
         if len(self.x) != count or len(self.turned) != count:
             raise InputError("x", self.x, f"hold {count} places, as many as turned", "give one for each row")
 
-    @together("bearings", "clearance")
+    @cross_check("bearings", "clearance")
     def _check_held(self) -> None:
         if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
             condition = "be zero for rows that do not hold the inner ring along the axis"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
 
-    @together("bearings", "x", "turned", "clearance", "preload")
+    @cross_check("bearings", "x", "turned", "clearance", "preload")
     def _check_preload(self) -> None:
         if self.preload is None:
             return
@@ -103,7 +104,7 @@ class Paired(Input):
         return tuple(Row(each, x, way, 0.5 * self.clearance, first) for each, x, way, first in rows)
 
 
-@described()
+@input_class()
 class Pair(Input):
     """How a second row like the first lies, on the same inner ring or on rings that are clamped together."""
 

@@ -14,7 +14,7 @@ from nonhertz.bearing.ribs import Rib
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, number_that, positive
-from nonhertz.inputs.fields import Part, Quantity
+from nonhertz.inputs.descriptions import Part, Quantity
 from nonhertz.model.body import Body, Plate, Ring, Roller
 
 Array = NDArray[np.float64]

@@ -14,7 +14,8 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.pairs import Paired
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, finite, not_negative, number_that, numbers
-from nonhertz.inputs.fields import Input, OneOrTwo, Quantity, described
+from nonhertz.inputs.descriptions import OneOrTwo, Quantity
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.prescription import MOST_TILT
 
 Array = NDArray[np.float64]
@@ -30,7 +31,7 @@ _SMALL = f"be a small angle, of at most {MOST_TILT:g} rad"
 _rotation = number_that(lambda value: abs(value) <= MOST_TILT, _SMALL)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class BearingLoad(Input):
     """What loads the inner ring, or moves it; the outer ring is at rest.
 

@@ -23,7 +23,8 @@ from nonhertz.bearing.section import point_motion
 from nonhertz.errors import InputError
 from nonhertz.hertz import PointContact, point_contact
 from nonhertz.inputs.checks import not_negative, positive
-from nonhertz.inputs.fields import Input, Quantity, described, together
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import Input, cross_check, input_class
 
 Array = NDArray[np.float64]
 
@@ -41,7 +42,7 @@ _END_RADIUS = "give the radius of the rollers' ends in mm"
 _HEIGHT = "give how far from the roller's axis the rib touches, in mm"
 
 
-@described()
+@input_class()
 class Rib(Input):
     """Where ribs of a bearing's rings touch the rollers' ends.
 
@@ -82,13 +83,13 @@ class Rib(Input):
         ),
     ] = None
 
-    @together("end_radius", "height")
+    @cross_check("end_radius", "height")
     def _check_height(self) -> None:
         if self.height >= self.end_radius:
             condition = f"be less than the radius of the end, {mm(self.end_radius):g}"
             raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
 
-    @together("height", "edge")
+    @cross_check("height", "edge")
     def _check_edge(self) -> None:
         if self.edge is not None and self.edge >= self.height:
             condition = f"be less than the height of the contact, {mm(self.height):g}"

@@ -34,7 +34,8 @@ from nonhertz.bearing.section import RINGS, raceway_motion
 from nonhertz.bearing.series import REMEDY, check_series, series_table
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, one_of, positive
-from nonhertz.inputs.fields import Count, Input, Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Count, Quantity, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 from nonhertz.model.materials import density_of
@@ -51,7 +52,7 @@ class Inertia(NamedTuple):
     transverse: float  # and square to it about its centre of mass
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class RollerBearing(Input):
     """Rollers in a row between an inner and an outer ring; use one of the classes made from it.
 
@@ -127,18 +128,18 @@ class RollerBearing(Input):
         ),
     ] = None
 
-    @together("roller")
+    @cross_check("roller")
     def _check_roller(self) -> None:
         if self.roller.length is None:
             raise InputError("roller.length", None, "be given", "give the length of the rollers in mm")
         if not self.roller_diameter > 0.0:
             raise InputError("roller.diameter", self.roller.diameter, "be positive", "give the diameter in mm")
 
-    @together("inner")
+    @cross_check("inner")
     def _check_inner(self) -> None:
         self._refuse_raceway("inner.diameter", self.inner.diameter, "positive: it is convex")
 
-    @together("outer")
+    @cross_check("outer")
     def _check_outer(self) -> None:
         self._refuse_raceway("outer.diameter", self.outer.diameter, "negative: it is concave")
 
@@ -151,44 +152,44 @@ class RollerBearing(Input):
             one = "one number, " if callable(diameter) else ""
             raise InputError(name, diameter, f"be {one}{sign}", "give that of the raceway in mm")
 
-    @together("bore", "inner")
+    @cross_check("bore", "inner")
     def _check_bore(self) -> None:
         raceway = float(self.inner.diameter or math.inf)  # type: ignore[arg-type]
         if self.bore is not None and self.bore >= raceway:
             raise InputError("bore", self.bore, f"be less than the raceway's {mm(raceway):g}", BORE)
 
-    @together("outside_diameter", "outer")
+    @cross_check("outside_diameter", "outer")
     def _check_outside(self) -> None:
         raceway = -float(self.outer.diameter or 0.0)  # type: ignore[arg-type]
         if self.outside_diameter is not None and self.outside_diameter <= raceway:
             condition = f"exceed the raceway's {mm(raceway):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, OUTSIDE)
 
-    @together("series")
+    @cross_check("series")
     def _check_series(self) -> None:
         check_series(self._word, self.series)
 
-    @together("tolerance_class")
+    @cross_check("tolerance_class")
     def _check_class(self) -> None:
         check_class(self.tolerance_class, tapered=self.is_tapered)
 
-    @together("clearance", "bore")
+    @cross_check("clearance", "bore")
     def _check_group(self) -> None:
         _ = self.clearance_range
 
-    @together("inner_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
+    @cross_check("inner_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
     def _check_inner_shape(self) -> None:
         _ = self._deviation("inner_shape")
 
-    @together("outer_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
+    @cross_check("outer_shape", "rollers", "roller", "inner", "outer", "pitch_diameter")
     def _check_outer_shape(self) -> None:
         _ = self._deviation("outer_shape")
 
-    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
+    @cross_check("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
     def _check_room(self) -> None:
         self._refuse_no_room()
 
-    @together("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
+    @cross_check("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
     def _check_clearance(self) -> None:
         radial = abs(self.radial_clearance or 0.0)
         if radial > MOST_CLEARANCE * self.pitch:
@@ -197,7 +198,7 @@ class RollerBearing(Input):
             condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
             raise InputError("clearance", clearance, condition, "give it in mm: 20 um are 0.02")
 
-    @together(
+    @cross_check(
         "roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "design", "rib", "axial_clearance"
     )
     def _check_ribs(self) -> None:

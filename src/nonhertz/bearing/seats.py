@@ -11,7 +11,8 @@ from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_lim
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import finite, not_negative, number_that, positive
-from nonhertz.inputs.fields import Input, Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.material import STEEL
 from nonhertz.model.materials import NamedMaterial
 
@@ -65,7 +66,7 @@ def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
     )
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Seat(Input):
     """What shaft and housing have in common."""
 
@@ -108,7 +109,7 @@ class Seat(Input):
 
     ring: ClassVar[str]
 
-    @together("diameter", "interference")
+    @cross_check("diameter", "interference")
     def _check_interference(self) -> None:
         diameter, interference = self.diameter or math.inf, self.interference or 0.0
         if abs(interference) > MOST_INTERFERENCE * diameter:
@@ -160,7 +161,7 @@ class Seat(Input):
         return seat - ring if self.ring == "inner" else ring - seat
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Shaft(Seat):
     """The seat of an inner ring.
 
@@ -183,14 +184,14 @@ class Shaft(Seat):
     ] = 0.0
     density: Annotated[float | None, of_density("shaft")] = None
 
-    @together("diameter", "bore")
+    @cross_check("diameter", "bore")
     def _check_bore(self) -> None:
         if self.diameter is not None and self.bore >= self.diameter:
             condition = f"be less than the diameter of the shaft of {mm(self.diameter):g}"
             raise InputError("bore", self.bore, condition, _BORE)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Housing(Seat):
     """The seat of an outer ring.
 
@@ -209,7 +210,7 @@ class Housing(Seat):
         Assumed("endless housing", IN_OPERATION, lambda seat: seat.may_press),
     ] = math.inf
 
-    @together("diameter", "outside_diameter")
+    @cross_check("diameter", "outside_diameter")
     def _check_outside(self) -> None:
         if self.diameter is not None and self.outside_diameter <= self.diameter:
             condition = f"exceed that of the seat of {mm(self.diameter):g}"

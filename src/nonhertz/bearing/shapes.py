@@ -22,7 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, numbers, whole
-from nonhertz.inputs.fields import Count, Input, Part, Quantities, Quantity, Several, Word, described, together
+from nonhertz.inputs.descriptions import Count, Part, Quantities, Quantity, Several, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 
 Array = NDArray[np.float64]
 #: The curve through numbers at angles.
@@ -39,7 +40,7 @@ _DEVIATIONS = "give as many lengths in mm as angles"
 _TERMS = "give a mapping such as {2: 0.005}, or {2: (0.005, 0.3)} with the angle of a crest"
 
 
-@described()
+@input_class()
 class Wave(Input):
     """One wave around a ring."""
 
@@ -56,7 +57,7 @@ class Wave(Input):
     phase: Annotated[float, Quantity("rad", "angle of a crest, from y towards z; a crest leaves least room")] = 0.0
 
 
-@described()
+@input_class()
 class Waves(Input):
     """A ring's shape as a sum of waves."""
 
@@ -69,7 +70,7 @@ class Waves(Input):
         super().__post_init__()
         object.__setattr__(self, "terms", tuple(sorted(self.terms, key=lambda each: each.waves)))
 
-    @together("terms")
+    @cross_check("terms")
     def _check_orders(self) -> None:
         known: set[int] = set()
         for position, each in enumerate(self.terms, start=1):
@@ -90,7 +91,7 @@ class Waves(Input):
         return Waves(tuple(Wave(each.waves, factor * each.amplitude, each.phase + turn) for each in self.terms))
 
 
-@described()
+@input_class()
 class Deviations(Input):
     """A ring's shape from deviations at angles, in ascending order; what follows the last is the first."""
 
@@ -107,14 +108,14 @@ class Deviations(Input):
         for name, values in zip(("angle", "deviation"), self._opened(), strict=True):
             object.__setattr__(self, name, tuple(values.tolist()))
 
-    @together("angle")
+    @cross_check("angle")
     def _check_angle(self) -> None:
         if len(self.angle) < 2:
             raise InputError("angle", self.angle, "be a row of at least two angles", _ANGLES)
         if len(self.angle) > MOST_POINTS:
             raise InputError("angle", len(self.angle), f"hold no more than {MOST_POINTS:,} angles", "give fewer")
 
-    @together("angle", "deviation")
+    @cross_check("angle", "deviation")
     def _check_turn(self) -> None:
         if len(self.deviation) != len(self.angle):
             raise InputError("deviation", self.deviation, f"be a row of {len(self.angle)} lengths", _DEVIATIONS)

@@ -22,7 +22,7 @@ from nonhertz.bearing.strained import findings_of
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, sentences
 from nonhertz.hertz import PointContact
-from nonhertz.inputs.assumed import assumed
+from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import numbers, one_of, whole
 from nonhertz.result.brief import plain_text
 from nonhertz.result.data import library
@@ -274,7 +274,7 @@ class BearingSolution(ReadOnly):
     @property
     def assumed(self) -> tuple[Finding, ...]:
         """What is assumed where the bearing leaves something out that decides the result."""
-        return assumed(parts_of(self.bearing))
+        return collect_assumptions(parts_of(self.bearing))
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -16,13 +16,14 @@ from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import numbers, positive
-from nonhertz.inputs.fields import Quantity, described
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import input_class
 from nonhertz.life.spectrum import at_most_whole, checked_cases, share_of_revolutions
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class LoadCase(BearingLoad):
     """A load on a bearing, carried for a share of the revolutions, as in `nonhertz.bearing.solve`.
 

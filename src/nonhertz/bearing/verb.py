@@ -26,7 +26,8 @@ from nonhertz.bearing.strips import stripped
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, warn
 from nonhertz.inputs.checks import thread_count
-from nonhertz.inputs.fields import Count, Input, Word, described, taking
+from nonhertz.inputs.descriptions import Count, Word
+from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
 from nonhertz.native import core
 
@@ -44,7 +45,7 @@ _PRELOAD_WITHIN, _MOST_ADJUSTMENTS = 1e-5, 12
 _MOST_RIM_SPEED = 1e6
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class BearingSolver(Input):
     """How a bearing is solved."""
 
@@ -61,7 +62,7 @@ class BearingSolver(Input):
     ] = LAMINAE
 
 
-@taking(BearingLoad, BearingSolver)
+@document_parameters(BearingLoad, BearingSolver)
 def solve(
     bearing: RollerBearing | Paired,
     *,

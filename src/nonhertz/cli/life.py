@@ -16,7 +16,7 @@ from nonhertz.cli.printing import Progress
 from nonhertz.files.documents import named
 from nonhertz.files.lives import Assessment, as_object, files
 from nonhertz.files.results import key_by_key
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
@@ -74,7 +74,7 @@ def life(
                     raise ConvergenceError(sentence, error.solution) from None
                 assessments.append(assessed(life_case, spectrum, models, notes, progress.announce))
     first, other = assessments[0], assessments[1] if len(assessments) > 1 else None
-    names = (f"in {legible(str(life_case.path))}" for life_case in cases)
+    names = (f"in {printable_name(str(life_case.path))}" for life_case in cases)
     verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
     made = written(out, lambda: files(first, other), lambda: _figures(first, other))
     shown = [*_shown([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
@@ -98,10 +98,10 @@ def _shown(files: Sequence[Path], first: Assessment, other: Assessment | None) -
     shown = []
     for file, (assessment, (section,)) in zip(files, parts, strict=True):
         lead = "compared with " * (assessment is other)
-        head = Said([f"{lead}{legible(str(file))}: {assessment.title}"] * len(files[1:]), "head")
+        head = Said([f"{lead}{printable_name(str(file))}: {assessment.title}"] * len(files[1:]), "head")
         warned = Said([f"warning: {one}" for one in assessment.warnings], "warning")
         shown.append(Section(section.title, [head, *section.blocks, warned]))
     if other is not None:
-        names = [legible(str(file)) for file in files]
+        names = [printable_name(str(file)) for file in files]
         shown.append(compared_section([(names[1], other), (names[0], first)]))
     return shown

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Group, Parameter
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -87,7 +87,7 @@ def named_as(**options: str) -> Iterator[None]:
 
 def named_after(file: Path, ending: str, out: Path | None) -> Path:
     """Return where a command writes: to ``--out``, else beside the caller under the name of its file."""
-    return Path(f"{legible(file.stem)}{ending}") if out is None else out
+    return Path(f"{printable_name(file.stem)}{ending}") if out is None else out
 
 
 def refuse_unwritable_out(out: Path | None, *, file: bool = False) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from nonhertz.cli.printing import print_written
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.schemas import KINDS, schema_text
-from nonhertz.inputs.fields import unknown
+from nonhertz.inputs.descriptions import unknown_word_error
 
 
 def schema(kind: str, /, *, out: Path | None = None) -> None:
@@ -22,7 +22,7 @@ def schema(kind: str, /, *, out: Path | None = None) -> None:
         The file to write it to instead; an existing one is replaced.
     """
     if kind not in KINDS:
-        raise unknown("KIND", kind, "kind of file with a schema", KINDS)
+        raise unknown_word_error("KIND", kind, "kind of file with a schema", KINDS)
     if out is None:
         print(schema_text(kind), end="")
     else:

@@ -29,7 +29,8 @@ from nonhertz.files.ring_shapes import read_shape, shape_tables
 from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled, title_of
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.fields import Input, Part, Several, default_of, described, together
+from nonhertz.inputs.descriptions import Part, Several
+from nonhertz.inputs.fields import Input, cross_check, default_of, input_class
 from nonhertz.life.spectrum import at_most_whole
 
 PARTS = ("roller", "inner", "outer")
@@ -38,7 +39,7 @@ OF_OIL = OilInPlace.descriptions.keys()
 PAIR = "a second row like the first, and how it lies"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class BearingLifeConditions(LifeConditions):
     """How long the bearing lasts; its speed is that of the load."""
 
@@ -55,13 +56,13 @@ class BearingLifeConditions(LifeConditions):
         ),
     ] = ()
 
-    @together("spectrum")
+    @cross_check("spectrum")
     def _check_shares(self) -> None:
         remedy = "give shares of the revolutions; for the rest the bearing is unloaded"
         at_most_whole("spectrum.share", [case.share for case in self.spectrum], remedy)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class BearingFile(Input):
     """A bearing file."""
 
@@ -92,7 +93,7 @@ class BearingFile(Input):
     )
     report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "")] = TitleBlock()
 
-    @together("bearing")
+    @cross_check("bearing")
     def _check_contacts(self) -> None:
         ring = "inner"
         try:
@@ -104,14 +105,14 @@ class BearingFile(Input):
             place = f"{'roller' if body == 'a' else ring}.{rest}"
             raise InputError(place, renamed.value, renamed.condition, renamed.remedy) from None
 
-    @together("bearing", "load")
+    @cross_check("bearing", "load")
     def _check_load(self) -> None:
         try:
             one_state(self.bearing, self.load)
         except InputError as error:
             raise error.within("load") from None
 
-    @together("bearing", "load", "fit")
+    @cross_check("bearing", "load", "fit")
     def _check_fit(self) -> None:
         if self.fit is not None:
             try:
@@ -120,13 +121,13 @@ class BearingFile(Input):
             except InputError as error:
                 raise of_fit(error) from None
 
-    @together("solver", "life")
+    @cross_check("solver", "life")
     def _check_edges(self) -> None:
         if self.life.edge_stress == "pressure" and self.solver.method != "strips":
             condition, remedy = "be 'standard' or 'none' for slices", "solve by strips for pressures"
             raise InputError("life.edge_stress", "pressure", condition, remedy)
 
-    @together("bearing", "life")
+    @cross_check("bearing", "life")
     def _check_spectrum(self) -> None:
         mistakes = []
         for position, case in enumerate(self.life.spectrum, start=1):
@@ -137,14 +138,14 @@ class BearingFile(Input):
         if mistakes:
             raise InputsError(mistakes)
 
-    @together("load", "life", "lubrication")
+    @cross_check("load", "life", "lubrication")
     def _check_oil(self) -> None:
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}
         if self.lubrication.in_place.viscosity is not None and not all(speeds):
             condition, remedy = "be given with a speed above zero", "give load.speed too, in 1/min"
             raise InputError("lubrication.viscosity", self.lubrication.in_place.viscosity, condition, remedy)
 
-    @together("bearing", "load", "life", "lubrication")
+    @cross_check("bearing", "load", "life", "lubrication")
     def _check_viscosity(self) -> None:
         viscosity, pitch = self.lubrication.in_place.viscosity, self.bearing.rows[0].bearing.pitch
         speeds = {case.speed or self.load.speed for case in self.life.spectrum} or {self.load.speed}

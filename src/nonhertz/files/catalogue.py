@@ -14,7 +14,7 @@ from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.documents import as_toml
 from nonhertz.files.spreads import number_in
-from nonhertz.inputs.fields import unknown
+from nonhertz.inputs.descriptions import unknown_word_error
 
 #: Symbols of catalogues: what they are called in `from_catalogue`, and the unit of a plain number.
 SYMBOLS: Final = {
@@ -57,7 +57,7 @@ def guess_of_catalogue(given: Mapping[str, str]) -> CatalogueGuess:
         if symbol == "kind":
             values["kind"] = value
         elif symbol not in SYMBOLS:
-            raise unknown("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
+            raise unknown_word_error("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
         else:
             name, unit = SYMBOLS[symbol]
             values[name] = _number(symbol, value, unit)

@@ -10,7 +10,7 @@ from typing import Any
 from nonhertz.errors import CaseError, InputError, UnknownKeyError
 from nonhertz.files.documents import as_toml
 from nonhertz.inputs.fields import Input
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 
 _LONGEST = 60  # characters of a value in the comment
 _OPTION = "--set"
@@ -111,4 +111,4 @@ def _sentence(path: str, value: Any) -> str:
         return f"without {path}"
     text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
     shown = text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
-    return f"{path} = {legible(shown)}"
+    return f"{path} = {printable_name(shown)}"

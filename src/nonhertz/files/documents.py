@@ -16,7 +16,7 @@ from nonhertz.errors import CaseError, InputError, joined, nearest
 from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
 from nonhertz.files.mistakes import path_of
 from nonhertz.inputs.checks import one_of
-from nonhertz.inputs.files import content
+from nonhertz.inputs.files import read_bytes
 
 #: Tables of a bearing file in place of those of both bodies, and what only plans have.
 OF_BEARINGS = ("bearing", "roller", "inner", "outer")
@@ -74,7 +74,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         raise InputError("path", path, f"be the name of a {what}", "give a string or a Path")
     path = Path(path)
     try:
-        text = content(path, LARGEST_CASE).decode("utf-8-sig")
+        text = read_bytes(path, LARGEST_CASE).decode("utf-8-sig")
     except FileNotFoundError:
         new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
         way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"

@@ -19,7 +19,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.paths import Keys
 from nonhertz.files.spreads import number_in
 from nonhertz.inputs.checks import whole
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.units import to_unit
 
 Array = NDArray[np.float64]
 
@@ -121,12 +121,12 @@ def half_length(document: Mapping[str, Any], keys: Keys) -> float:
     for key in keys[:-1]:
         body = body[key]
     place = ".".join(map(str, keys[:-1]))
-    length = in_unit("length", body.get("effective_length", body.get("length")), "mm")
+    length = to_unit("length", body.get("effective_length", body.get("length")), "mm")
     if not isinstance(length, float) or not 0.0 < length < math.inf:
         raise InputError(f"{place}.length", body.get("length"), "be given for a free profile", "give it in mm")
-    corner = in_unit("corner_radius", body.get("corner_radius", 0.0), "mm")
+    corner = to_unit("corner_radius", body.get("corner_radius", 0.0), "mm")
     chamfer = body.get("chamfer")
-    taken = in_unit("length", chamfer["length"], "mm") if isinstance(chamfer, dict) else corner
+    taken = to_unit("length", chamfer["length"], "mm") if isinstance(chamfer, dict) else corner
     return 0.5 * length - (taken if isinstance(taken, float) else 0.0)
 
 

@@ -19,10 +19,11 @@ from nonhertz.files.folder import write_file
 from nonhertz.files.mistakes import case_error, in_order
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.findings import Finding
-from nonhertz.inputs.assumed import assumed
+from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Input, short_repr, unknown_key
-from nonhertz.inputs.files import legible, seen_from
+from nonhertz.inputs.descriptions import unknown_key_error
+from nonhertz.inputs.fields import Input, short_repr
+from nonhertz.inputs.files import printable_name, relative_path
 
 MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
 
@@ -112,7 +113,7 @@ class Held:
     @property
     def file_name(self) -> str:
         """The name of its file, without the directory."""
-        return legible(self.path.name)
+        return printable_name(self.path.name)
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file below the title, every value in base units; raises as `write` does."""
@@ -205,7 +206,7 @@ class HeldCase(Held):
         """What is assumed where its file, or the inputs it was made of, leave something out that decides the result."""
         if self.stored_assumptions is not None:
             return self.stored_assumptions
-        return assumed(self.parts, None if self.origin is None else self.origin.document)
+        return collect_assumptions(self.parts, None if self.origin is None else self.origin.document)
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> Any:
@@ -260,7 +261,7 @@ class HeldCase(Held):
         notes = dict.fromkeys(str(w.message) for w in caught if issubclass(w.category, AccuracyWarning))
         names = [field.name for field in fields(cls) if field.init and field.name not in ("title", "path")]
         arguments = {name: getattr(inputs, cls.elsewhere.get(name, name)) for name in names}
-        made = cls(title=inputs.title or legible(path.stem), path=path, **arguments)
+        made = cls(title=inputs.title or printable_name(path.stem), path=path, **arguments)
         return made._held_in(Origin(document, text, tuple(notes), folder))
 
 
@@ -276,7 +277,7 @@ def _made(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
     """Return the input that keywords make."""
     for key, value in keywords.items():
         if key not in kind.descriptions:
-            raise unknown_key(key, value, kind.descriptions, "name").within(name)
+            raise unknown_key_error(key, value, kind.descriptions, "name").within(name)
     try:
         return kind(**keywords)
     except InputError as error:
@@ -287,5 +288,5 @@ def _moved(value: Any, old: Path, new: Path) -> Any:
     if isinstance(value, dict):
         moved = {key: _moved(entry, old, new) for key, entry in value.items()}
         names = {key: value[key] for key in ("file", "case") if key in value and not Path(value[key]).is_absolute()}
-        return moved | {key: seen_from(new, old / name).as_posix() for key, name in names.items()}
+        return moved | {key: relative_path(new, old / name).as_posix() for key, name in names.items()}
     return [_moved(entry, old, new) for entry in value] if isinstance(value, list) else value

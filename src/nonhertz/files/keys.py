@@ -18,7 +18,8 @@ from nonhertz.bearing.shapes import Deviations, Waves
 from nonhertz.files.bearing_document import PAIR, PARTS, SHAPES
 from nonhertz.files.profiles import KINDS, keys_of, meaning_of, needed_keys
 from nonhertz.files.ring_shapes import ShapeFile
-from nonhertz.inputs.fields import Described, Input, Part, Several, default_of
+from nonhertz.inputs.descriptions import Description, Part, Several
+from nonhertz.inputs.fields import Input, default_of
 from nonhertz.model.profile import Profile
 
 #: Of a bearing's file as people write it: the bearing before its parts, and a second row after all that the first has.
@@ -50,7 +51,7 @@ class Key:
 
     Attributes
     ----------
-    description : Described
+    description : Description
         What it holds.
     usual : object
         Its default, `dataclasses.MISSING` if it must be given.
@@ -60,7 +61,7 @@ class Key:
         Whether a list of them may.
     """
 
-    description: Described
+    description: Description
     usual: Any = MISSING
     tables: tuple[Table, ...] = ()
     several: bool = False
@@ -149,7 +150,7 @@ def _usual(cls: type[Input]) -> dict[str, Any]:
     return {name: value for name, value in usual.items() if value is not MISSING}
 
 
-def _key(name: str, description: Described, usual: Any, inner: Any) -> Key:
+def _key(name: str, description: Description, usual: Any, inner: Any) -> Key:
     if getattr(description, "of", None) is Profile:
         return Key(description, None, profile_kinds(), several=True)
     if name in SHAPES:
@@ -162,7 +163,7 @@ def _key(name: str, description: Described, usual: Any, inner: Any) -> Key:
     return Key(description, usual, () if inner is None else (replace(table_of(inner), likely=likely),))
 
 
-def unit_of(description: Described) -> str:
+def unit_of(description: Description) -> str:
     """Return the unit of the number or the numbers of a field; empty if they have none, or it holds others."""
     return str(getattr(getattr(description, "item", description), "unit", ""))
 

@@ -14,8 +14,9 @@ from nonhertz.files.traces import read_trace
 from nonhertz.files.traces.line import Request
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Word, described, parameters_of, unknown_key
-from nonhertz.inputs.files import special
+from nonhertz.inputs.descriptions import Word, unknown_key_error
+from nonhertz.inputs.fields import input_class, parameters_class
+from nonhertz.inputs.files import is_special_file
 from nonhertz.measured import Measured, Trace, prepare
 from nonhertz.measured.steps import Corners, Filter, Middle
 from nonhertz.model.profile import Profile, ProfileKind
@@ -23,7 +24,7 @@ from nonhertz.model.profile.table import Interpolation
 
 #: The kind's name.
 KIND = "measured"
-_STEPS = parameters_of(prepare).descriptions
+_STEPS = parameters_class(prepare).descriptions
 _COLUMNS = Request.descriptions
 #: Keys that describe the columns of the file.
 READING = tuple(name for name in _COLUMNS if name != "name")
@@ -31,7 +32,7 @@ READING = tuple(name for name in _COLUMNS if name != "name")
 PREPARING = tuple(name for name in _STEPS if name != "trace")
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class MeasuredProfile(ProfileKind):
     """A measured profile, prepared step by step."""
 
@@ -80,7 +81,7 @@ class MeasuredProfile(ProfileKind):
         AccuracyWarning
             Limitations to know before solving with the profile, such as roughness that strips cannot resolve.
         """
-        if special(folder / self.file):
+        if is_special_file(folder / self.file):
             raise InputError("file", self.file, "be a file, not a device or a pipe", "save the measured points in one")
         values = {name: value for name, value in vars(self).items() if value is not None}
         measured = measured_in(folder / self.file, values)
@@ -98,8 +99,8 @@ def checked(name: str, value: Any) -> Any:
     """
     known = MeasuredProfile.descriptions
     if name not in known:
-        raise unknown_key(name, value, known, "parameter", f"'{KIND}'")
-    return known[name].take(name, value)
+        raise unknown_key_error(name, value, known, "parameter", f"'{KIND}'")
+    return known[name].validate(name, value)
 
 
 def measured_in(

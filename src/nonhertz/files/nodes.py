@@ -18,8 +18,8 @@ from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, within
 from nonhertz.files.traces.heads import cells_of
 from nonhertz.files.traces.text import decoded, value_in
-from nonhertz.inputs.files import readable
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.files import read_input_file
+from nonhertz.inputs.units import to_unit
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
@@ -63,7 +63,7 @@ def read_nodes(path: Path) -> Nodes:
     InputError
         If the file cannot be read, has no such columns, or a line of it has no such numbers.
     """
-    lines, _ = decoded(*readable("path", path, LARGEST))
+    lines, _ = decoded(*read_input_file("path", path, LARGEST))
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
         raise InputError("path", str(path), "hold nodes", _EXAMPLE)
@@ -140,7 +140,7 @@ def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
     position = names.index(name)
     match = matches[position]
     unit = None if match is None else match["unit"]
-    return position, float(in_unit(f"unit of {name}", f"1 {unit}", "mm")) if unit else 1.0
+    return position, float(to_unit(f"unit of {name}", f"1 {unit}", "mm")) if unit else 1.0
 
 
 def _number(cell: str, separator: str | None, what: str, path: Path) -> float:

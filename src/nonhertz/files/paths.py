@@ -17,7 +17,7 @@ from typing import Any
 from nonhertz.errors import InputError, UnknownKeyError, nearest
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.mistakes import path_of
-from nonhertz.inputs.fields import Described, Part, Several
+from nonhertz.inputs.descriptions import Description, Part, Several
 from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
@@ -198,7 +198,7 @@ def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
     return [table for table in tables if not table.meaning_of_kind or table.kinds or table.word == kind]
 
 
-def _leaf(description: Described) -> tuple[str | None, bool] | None:
+def _leaf(description: Description) -> tuple[str | None, bool] | None:
     """Return unit and wholeness of a single value; None for a table or a list."""
     schema: dict[str, Any] = {} if isinstance(description, Part) and not description.named else description.schema()
     if "unit" in schema:

@@ -12,7 +12,8 @@ from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.sections import FORMAT_FIELD, title_of
 from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Count, Custom, Input, Part, Quantity, Several, Word, described
+from nonhertz.inputs.descriptions import Count, Custom, Part, Quantity, Several, Word
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.life import MODELS, LoadCase
 from nonhertz.life import model as fatigue_model
 
@@ -54,7 +55,7 @@ def _as_given(name: str, value: Any, remedy: str) -> Any:
     return value
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class DesignLoad(Input):
     """One load of a design."""
 
@@ -63,7 +64,7 @@ class DesignLoad(Input):
     share: Annotated[float | None, Quantity("", "its share of the revolutions; all equal if no load has one")] = None
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class DesignGoal(Input):
     """What a design is best for."""
 
@@ -115,7 +116,7 @@ class DesignGoal(Input):
         )
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class PlanDocument(Input):
     """A plan file."""
 

@@ -25,9 +25,9 @@ from nonhertz.files.reading import read
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution, Spread, spread_in
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.checks import is_number, listed, one_of
-from nonhertz.inputs.files import legible, seen_from
-from nonhertz.inputs.units import begins_with_digits, in_unit
+from nonhertz.inputs.checks import check_list, is_number, one_of
+from nonhertz.inputs.files import printable_name, relative_path
+from nonhertz.inputs.units import begins_with_digits, to_unit
 
 #: The tables of a plan that say what is varied: in a sweep, and within tolerances.
 LOAD = "load.load"
@@ -167,7 +167,7 @@ class Plan(Held):
         if not isinstance(self.limits, Mapping) or not all(isinstance(name, str) for name in self.limits):
             raise InputError("limits", self.limits, "be a dictionary", "map quantities to 'at most 3800 MPa', say")
         remedy = "give a list of names, such as ['max_pressure']"
-        names = tuple(listed("quantities", self.quantities, "be names", remedy))
+        names = tuple(check_list("quantities", self.quantities, "be names", remedy))
         if not all(isinstance(name, str) for name in names):
             raise InputError("quantities", self.quantities, "be names", remedy)
         object.__setattr__(self, "quantities", names)
@@ -226,7 +226,7 @@ class Plan(Held):
                 except InputError as error:
                     mistakes.append(error.about(path_of(tuple(varied.split("."))), values).within(section))
         try:
-            title = contents.title or legible(path.stem)
+            title = contents.title or printable_name(path.stem)
             plan = Plan(case, {}, contents.samples, contents.quantities, contents.limits, title=title, path=path)
         except InputError as error:
             mistakes.append(error)
@@ -238,7 +238,7 @@ class Plan(Held):
         """Return the sections of its file."""
         parts = {"over": self.over, "samples": self.samples, "quantities": self.quantities, "limits": self.limits}
         rest = {name: table for name, part in parts.items() if (table := document_of(part, defaults=False))}
-        return {"case": seen_from(self.path.parent, self.case.path).as_posix()} | rest
+        return {"case": relative_path(self.path.parent, self.case.path).as_posix()} | rest
 
     def _written(self, folder: Path) -> dict[str, Any]:
         """Return its document with all tables of its file, and the way to its case from a folder."""
@@ -363,7 +363,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
     diameter = next((path for path in numbers if path.endswith(".diameter")), "")
     profile = next((path for path in numbers if ".profile" in path and template.known[path].unit == "mm"), "")
     turned = not template.is_bearing and "moment" not in case.prescribed.keywords
-    name = seen_from(folder, case.path).as_posix()
+    name = relative_path(folder, case.path).as_posix()
     around_load = _around(template, load, numbers[load], 0.25, 2.0)
     # What stands in place of a line of the text, up to its comment; None for nothing.
     own: dict[str, str | None] = {
@@ -403,7 +403,7 @@ def _numbers_in(template: Template) -> Iterator[tuple[str, float]]:
     for path, known in template.known.items():
         value = known.value_in(template.document)
         if known.unit and (is_number(value) or (isinstance(value, str) and begins_with_digits(value))):
-            number = in_unit(path, value, known.unit)
+            number = to_unit(path, value, known.unit)
             if number:
                 yield path, number
 

@@ -12,7 +12,7 @@ from nonhertz.amounts import display_units, um
 from nonhertz.files import results
 from nonhertz.files.measured import KIND
 from nonhertz.files.results import Key, ListOf, key_by_key, within
-from nonhertz.inputs.files import seen_from
+from nonhertz.inputs.files import relative_path
 from nonhertz.measured import Measured, ProfileFit
 from nonhertz.result.tables import csv_text
 
@@ -139,7 +139,7 @@ def files(
     return {
         "profile.json": key_by_key(as_object(measured, fits)) + "\n",
         TABLE: as_table(measured),
-        "profile.toml": as_case(seen_from(directory, file), values, measured, fits),
+        "profile.toml": as_case(relative_path(directory, file), values, measured, fits),
     }
 
 

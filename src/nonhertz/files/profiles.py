@@ -20,7 +20,8 @@ from nonhertz.files.measured import KIND, MeasuredProfile
 from nonhertz.files.mistakes import missing, place_of
 from nonhertz.files.reading import BROKEN, Reading, Surroundings
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Described, Flag, Input, Quantity, Word, described, one_by_one, together, unknown
+from nonhertz.inputs.descriptions import Description, Flag, Quantity, Word, collect_errors, unknown_word_error
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.base import at_ends
@@ -33,7 +34,7 @@ _UPLOAD_REMEDY = "give y and relief, or upload the measured profile"
 _TABULATED: Final = "tabulated"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Moves(Input):
     """How a profile is changed as a whole, whatever its kind."""
 
@@ -46,7 +47,7 @@ class Moves(Input):
         return profile.moved(scale=1.0 if self.scale is None else self.scale, shift=self.shift or 0.0, flip=self.flip)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Changes(Moves):
     """What the table of a kind of the catalogue may have beside its parameters."""
 
@@ -69,13 +70,13 @@ class Changes(Moves):
     ] = None
     apart: ClassVar[tuple[tuple[str, ...], ...]] = (("scale", "drop"),)
 
-    @together("drop", "at")
+    @cross_check("drop", "at")
     def _check_place(self) -> None:
         if self.at is not None and self.drop is None:
             raise InputError("at", self.at, "not be given without drop", "give both or neither")
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class PointsFile(ProfileKind):
     """A profile through points in a file."""
 
@@ -99,8 +100,8 @@ class PointsFile(ProfileKind):
 def _with_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
     """Return what a table of a kind may hold: its parameters, and what every kind may have beside them."""
     around = Moves if cls is MeasuredProfile else Changes
-    made: type[ProfileKind] = described(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
-    made.checks_together = cls.checks_together + around.checks_together
+    made: type[ProfileKind] = input_class(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
+    made.cross_checks = cls.cross_checks + around.cross_checks
     return made
 
 
@@ -133,7 +134,7 @@ def read_profile(value: Any, body: Mapping[str, Any], file: Surroundings) -> Pro
         raise InputError("", value, "be a list of tables", _LIST_REMEDY)
     if len(value) > PROFILES:
         raise InputError("", value, f"have at most {PROFILES} profiles", _FEWER_REMEDY)
-    return sum(one_by_one("", value, lambda _, table: _read_table(table, sizes, file)), CATALOGUE["straight"]())
+    return sum(collect_errors("", value, lambda _, table: _read_table(table, sizes, file)), CATALOGUE["straight"]())
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -142,7 +143,7 @@ def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
     return [value] if isinstance(value, dict) else list(value)
 
 
-def keys_of(kind: str) -> dict[str, Described]:
+def keys_of(kind: str) -> dict[str, Description]:
     """Return the keys that a table of a kind may have beside that."""
     file = {"file": PointsFile.descriptions["file"]} if kind == _TABULATED else {}
     return {**KINDS[kind].descriptions, **file}
@@ -220,7 +221,7 @@ def _read_table(table: Any, body: Mapping[str, Any], file: Surroundings) -> Prof
         raise missing("kind", "name the profile, such as kind = 'crown'")
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise unknown("kind", kind, "profile", KINDS)
+        raise unknown_word_error("kind", kind, "profile", KINDS)
     return _Table(kind, table, body, file).profile()
 
 
@@ -276,7 +277,7 @@ class _Table(Reading):
             super().absent(name)
         else:
             try:
-                self.values[name] = self.cls.descriptions[name].take(name, own)
+                self.values[name] = self.cls.descriptions[name].validate(name, own)
             except InputError as error:
                 self.note(error)
 

@@ -16,17 +16,16 @@ from typing import Any, Final, TypeVar
 from nonhertz.errors import InputError, InputsError, joined, nearest
 from nonhertz.files.mistakes import Place, missing, path_of, place_of
 from nonhertz.files.writing import document_of
-from nonhertz.inputs.fields import (
-    Described,
-    Input,
+from nonhertz.inputs.descriptions import (
+    Description,
     Part,
     Several,
-    given_beside,
-    one_by_one,
-    text_of,
-    unknown,
-    unknown_key,
+    collect_errors,
+    describe_field,
+    unknown_key_error,
+    unknown_word_error,
 )
+from nonhertz.inputs.fields import Input, mutually_exclusive_errors
 from nonhertz.model.profile import Profile
 
 AnyInput = TypeVar("AnyInput", bound=Input)
@@ -132,7 +131,7 @@ class Reading:
         every = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
         keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
         strange = [name for name in table if name not in keys]
-        self.mistakes += (unknown_key(path_of((name,)), table[name], keys) for name in strange)
+        self.mistakes += (unknown_key_error(path_of((name,)), table[name], keys) for name in strange)
         # Someone who writes "lenght" has not forgotten the length.
         self.wrong |= {match for name in strange if (match := nearest(name, keys))}
         self.named = self._named()
@@ -176,7 +175,7 @@ class Reading:
                 self.wrong.add(name)
                 continue
             try:
-                self.values[name] = self._described(name).take(name, value)
+                self.values[name] = self._described(name).validate(name, value)
             except InputError as error:
                 for mistake in error.each:
                     self.note(mistake if place_of(mistake.field)[0] == name else mistake.within(name))
@@ -202,16 +201,16 @@ class Reading:
             return read(inner, written, self.file, (*self.place, name), getattr(description, "likely", None))
         return written
 
-    def _described(self, name: str) -> Described:
+    def _described(self, name: str) -> Description:
         return self.fields[name].descriptions[name]
 
     def check_together(self, made: type[Input]) -> None:
         """Make those checks whose fields are good."""
-        for error in given_beside(made, self.table):
+        for error in mutually_exclusive_errors(made, self.table):
             if error.field not in self.wrong:
                 self.note(error)
         trial = made.unchecked(**self.values)
-        for check, names in made.checks_together:
+        for check, names in made.cross_checks:
             if not names & self.wrong:
                 try:
                     check(trial)
@@ -233,7 +232,7 @@ class Reading:
         """Return what to do where a field is missing."""
         inner = self.fields[name].inputs.get(name)
         if inner is None:
-            return f"give {text_of(self._described(name))}"
+            return f"give {describe_field(self._described(name))}"
         needed = [part for part in sorted(inner.without_default) if part in inner.inputs]
         headings = [f"[{path_of((*self.place, name, part))}]" for part in needed]
         return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
@@ -244,7 +243,7 @@ class Reading:
         if len(value) > description.most:
             raise InputError("", value, f"have at most {description.most} tables", description.item.remedy)
         place = (*self.place, name)
-        return one_by_one("", value, lambda number, entry: read(of, entry, self.file, (*place, number)))
+        return collect_errors("", value, lambda number, entry: read(of, entry, self.file, (*place, number)))
 
     def _named(self) -> type[Input] | None:
         """Return the class by its word, or that of tables without one; None if it cannot be known."""
@@ -258,7 +257,7 @@ class Reading:
         word = self.table["kind"]
         if isinstance(word, str) and word in self.cls.kinds:
             return self.cls.kinds[word]
-        self.mistakes.append(unknown("kind", word, f"kind of {self._noun}", self.cls.kinds))
+        self.mistakes.append(unknown_word_error("kind", word, f"kind of {self._noun}", self.cls.kinds))
         return usual
 
     def _foreign(self, name: str) -> InputError:

@@ -20,8 +20,8 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.documents import meant_as
 from nonhertz.files.folder import write_files
 from nonhertz.findings import Finding
-from nonhertz.inputs.assumed import restored
-from nonhertz.inputs.files import content
+from nonhertz.inputs.assumed import restore_assumptions
+from nonhertz.inputs.files import read_bytes
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import Solution
@@ -192,7 +192,7 @@ def read_result(path: str | Path) -> Result:
 
 def _object(path: Path) -> dict[str, Any]:
     try:
-        contents = json.loads(content(path, LARGEST_RESULT))
+        contents = json.loads(read_bytes(path, LARGEST_RESULT))
     except (OSError, ValueError, RecursionError) as error:
         too_large = getattr(error, "errno", None) == errno.EFBIG
         reason = getattr(error, "strerror", None) or ("larger than any result" if too_large else "not JSON")
@@ -275,5 +275,5 @@ def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.flo
 def _with_assumptions(case: AnyCase, contents: Mapping[str, Any]) -> AnyCase:
     """Note what the file of a result says was assumed, if it says so, and return the case."""
     stored = contents.get("assumed")
-    object.__setattr__(case, "stored_assumptions", None if stored is None else restored(stored))
+    object.__setattr__(case, "stored_assumptions", None if stored is None else restore_assumptions(stored))
     return case

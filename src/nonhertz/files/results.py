@@ -18,7 +18,7 @@ import numpy as np
 from nonhertz.amounts import display_units
 from nonhertz.files.bounds import FORMAT
 from nonhertz.findings import Finding, as_warnings
-from nonhertz.inputs import fields
+from nonhertz.inputs import descriptions
 from nonhertz.inputs.fields import Input
 from nonhertz.result.quantities import Quantity
 from nonhertz.verdict import Verdict, given_verdict
@@ -118,7 +118,7 @@ def input_keys(inputs: type[Input], path: str = "") -> tuple[Key, ...]:
     """Return the keys of all fields of an input; it is at the path of a result, which ends in a full stop, if any."""
 
     def key(name: str, described: Any) -> Key:
-        numeric = isinstance(described, fields.Quantity)
+        numeric = isinstance(described, descriptions.Quantity)
         holds = NUMBER if numeric else ("string", "null")
         return Key(name, described.meaning, described.unit or None if numeric else None, f"{path}{name}", holds)
 

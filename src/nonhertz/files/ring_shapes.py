@@ -24,8 +24,9 @@ from nonhertz.files.traces.line import Line, Request, of_length
 from nonhertz.files.traces.text import decoded
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Input, Word, described, one_by_one
-from nonhertz.inputs.files import readable
+from nonhertz.inputs.descriptions import Word, collect_errors
+from nonhertz.inputs.fields import Input, input_class
+from nonhertz.inputs.files import read_input_file
 
 _HEAD = 100  # lines that may state units
 _TO_RAD = {"rad": 1.0, "deg": np.pi / 180.0}
@@ -38,7 +39,7 @@ MOST_SHAPES = 100
 _SHAPES = "write { terms = [{ waves = 2, amplitude = '5 um' }] }, { angle = [..], deviation = [..] } or { file = '..' }"
 
 
-@described()
+@input_class()
 class ShapeFile(Input):
     """A ring's shape from a file of two columns, angle and deviation."""
 
@@ -122,7 +123,7 @@ def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
         return _read_one(value, file, place)
     if not 0 < len(value) <= MOST_SHAPES:
         raise InputError("", value, f"hold 1 to {MOST_SHAPES} shapes", "add up their waves or deviations")
-    return reduce(add, one_by_one("", value, lambda number, entry: _read_one(entry, file, (*place, number))))
+    return reduce(add, collect_errors("", value, lambda number, entry: _read_one(entry, file, (*place, number))))
 
 
 def shape_tables(name: str, shape: Any) -> Any:
@@ -166,7 +167,7 @@ def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
 
 
 def _lines(path: str | os.PathLike[str]) -> tuple[list[str], str]:
-    data, name = readable("path", path, LARGEST_FILE)
+    data, name = read_input_file("path", path, LARGEST_FILE)
     if not data.strip():
         raise InputError("file", name, "not be empty", "write angle and deviation per line")
     return decoded(data, name)[0], name

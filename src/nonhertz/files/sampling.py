@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from nonhertz.files.spreads import Distribution
 from nonhertz.inputs.checks import whole
-from nonhertz.inputs.fields import Count, Input, Word, described
+from nonhertz.inputs.descriptions import Count, Word
+from nonhertz.inputs.fields import Input, input_class
 
 MOST_SAMPLES, MOST_DIMENSIONS = 10_000_000, 1000
 SALTELLI = "saltelli"
@@ -19,7 +20,7 @@ _DIMENSIONS = "give the number of parameters"
 METHODS = ("latin-hypercube", "sobol", "random", SALTELLI)
 
 
-@described()
+@input_class()
 class Sampling(Input):
     """How samples are drawn from distributions.
 

@@ -29,7 +29,7 @@ from nonhertz.files.results import schema_of as schema_of_keys
 from nonhertz.files.sections import CaseDocument
 from nonhertz.files.stresses import STRESSES
 from nonhertz.files.studies import DESIGN, DIAGRAM, FRONT, SWEEP, TOLERANCE
-from nonhertz.inputs.fields import Part, Several, text_of
+from nonhertz.inputs.descriptions import Part, Several, describe_field
 
 Schema = dict[str, Any]
 
@@ -92,7 +92,7 @@ def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
         usual = next((word for word, known in description.named.items() if known == usual), usual)
     # TOML has neither null nor, to all programs, infinity.
     plain = isinstance(usual, str | int | float) and usual != math.inf
-    return schema | {"description": text_of(description)} | ({"default": usual} if plain else {})
+    return schema | {"description": describe_field(description)} | ({"default": usual} if plain else {})
 
 
 def _of_result(meaning: str, keys: Iterable[ResultKey], inputs: Any) -> Schema:

@@ -18,17 +18,8 @@ from nonhertz.files.reading import BROKEN, Surroundings, read
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, one_line, positive
-from nonhertz.inputs.fields import (
-    Count,
-    Custom,
-    Input,
-    Part,
-    Quantity,
-    Several,
-    Word,
-    described,
-    together,
-)
+from nonhertz.inputs.descriptions import Count, Custom, Part, Quantity, Several, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
 from nonhertz.life.catalogue import MODELS, SLOPE_REMEDY, Model, model, weibull_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
@@ -44,14 +35,14 @@ from nonhertz.strip.element import ELEMENTS
 _FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Bodies(Input):
     """The two bodies."""
 
     a: Annotated[Body, Part("one body", Body, "give its table")]
     b: Annotated[Body, Part("the other body", Body, "give its table")]
 
-    @together("a", "b")
+    @cross_check("a", "b")
     def _check_contact(self) -> None:
         try:
             contact = Contact(self.a, self.b)
@@ -114,7 +105,7 @@ def sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
     return np.linspace(low, high, 1001)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Solver(Input):
     """How it is solved."""
 
@@ -144,12 +135,12 @@ class Solver(Input):
         ),
     ] = None
 
-    @together("strips", "accuracy", "accuracy_of")
+    @cross_check("strips", "accuracy", "accuracy_of")
     def _check_accuracy(self) -> None:
         refuse_accuracy(self.strips, self.accuracy, self.accuracy_of)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class OverrolledDent(Input):
     """A dent in the raceway that is rolled over."""
 
@@ -183,7 +174,7 @@ class OverrolledDent(Input):
         ),
     ] = None
 
-    @together("diameter", "depth", "shoulder", "shoulder_diameter", "y")
+    @cross_check("diameter", "depth", "shoulder", "shoulder_diameter", "y")
     def _check_shape(self) -> None:
         _ = self.dent
 
@@ -205,7 +196,7 @@ def _by(*names: str) -> Callable[[Life], bool]:
     return lambda life: not life.models or not set(names).isdisjoint(life.models)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Life(Input):
     """How long the bodies last."""
 
@@ -291,18 +282,18 @@ class Life(Input):
         OverrolledDent | None, Part("a dent that is rolled over", OverrolledDent, "give its depth and diameter")
     ] = None
 
-    @together("spectrum")
+    @cross_check("spectrum")
     def _check_shares(self) -> None:
         if self.spectrum:
             remedy = "give all loads with their shares of the revolutions"
             refuse_other_than_whole("spectrum.share", self.spectrum, remedy)
 
-    @together("spectrum", "dent")
+    @cross_check("spectrum", "dent")
     def _check_dent(self) -> None:
         if self.dent is not None and self.spectrum:
             raise InputError("dent", "with a spectrum", "be under one load", "leave out the spectrum, or the dent")
 
-    @together("required")
+    @cross_check("required")
     def _check_required(self) -> None:
         _ = self.required_revolutions
 
@@ -355,7 +346,7 @@ def title_of(what: str) -> Word:
     return Word(f"what the {what} is called in tables and figures", "write a short name", condition=one_line)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class CaseDocument(Input):
     """A case file."""
 

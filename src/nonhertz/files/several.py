@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from nonhertz.amounts import display_units
 from nonhertz.files.contact_results import as_object
 from nonhertz.files.results import plain
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.tables import heading
 from nonhertz.verdict import Verdict, of_contact
@@ -52,7 +52,7 @@ class Attempt:
     @property
     def name(self) -> str:
         """Its file, as it was given."""
-        return legible(str(self.path))
+        return printable_name(str(self.path))
 
     @property
     def title(self) -> str:
@@ -82,7 +82,7 @@ def folders(attempts: Sequence[Attempt]) -> list[str]:
     taken: set[str] = set()
     for attempt in attempts:
         # A name of dots alone would lead out of the directory.
-        stem = legible(attempt.path.stem) if attempt.path.stem.strip(". ") else "case"
+        stem = printable_name(attempt.path.stem) if attempt.path.stem.strip(". ") else "case"
         name, number = stem, 1
         # Some file systems do not tell capitals from small letters.
         while name.lower() in taken:

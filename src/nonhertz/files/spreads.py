@@ -29,7 +29,7 @@ from nonhertz.amounts import format_digits
 from nonhertz.errors import InputError, joined
 from nonhertz.files.paths import Parameter
 from nonhertz.inputs.checks import finite, numbers, one_of
-from nonhertz.inputs.units import begins_with_digits, in_unit
+from nonhertz.inputs.units import begins_with_digits, to_unit
 
 Array = NDArray[np.float64]
 
@@ -230,7 +230,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, flo
     text : str
         Lowest and highest with units, and perhaps how many, with colons between them. Zero needs no unit.
     unit : str
-        As for `nonhertz.inputs.units.in_unit`.
+        As for `nonhertz.inputs.units.to_unit`.
     example : str
         A range without a count, for the message.
 
@@ -280,7 +280,7 @@ def number_in(field: str, text: str, unit: str) -> float:
             raise InputError(field, text.strip(), "be a plain number", "write it without a unit")
         return number
     try:
-        return float(in_unit(field, text, unit))
+        return float(to_unit(field, text, unit))
     except InputError as error:
         # Nothing is in quotes here.
         remedy = f"append a unit, such as {text.strip()}{'mrad' if unit == 'rad' else unit}"
@@ -305,7 +305,7 @@ def _value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
         return written
     if parameter.unit is None:
         raise InputError(parameter.path, written, "be a word, or true or false", "give the path of a single value")
-    value = (number_in if bare and isinstance(written, str) else in_unit)(parameter.path, written, parameter.unit)
+    value = (number_in if bare and isinstance(written, str) else to_unit)(parameter.path, written, parameter.unit)
     finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
 
@@ -374,7 +374,7 @@ def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> flo
     if text.strip() != _NOMINAL:
         return number_in(parameter.path, text, parameter.unit)
     value = parameter.value_in(document)
-    number = in_unit(parameter.path, value, parameter.unit) if value is not None else None
+    number = to_unit(parameter.path, value, parameter.unit) if value is not None else None
     if not isinstance(number, float):
         remedy = "give the number itself"
         raise InputError(parameter.path, text.strip(), "stand for a number that the case gives", remedy)

@@ -7,10 +7,11 @@ from dataclasses import replace
 from typing import Annotated
 
 from nonhertz.inputs.checks import one_line
-from nonhertz.inputs.fields import Input, Word, described
+from nonhertz.inputs.descriptions import Word
+from nonhertz.inputs.fields import Input, input_class
 
 
-@described()
+@input_class()
 class TitleBlock(Input):
     """What the head of a report says beside the title; what is left out is not shown.
 

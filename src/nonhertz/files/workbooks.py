@@ -10,7 +10,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import walk
 from nonhertz.files.mistakes import path_of
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 
 #: Rows of a sheet, its head included.
 MOST_ROWS = 1_048_576
@@ -67,7 +67,7 @@ def write_workbook(path: Path, sheets: Mapping[str, Table]) -> None:
     def cell(sheet: Any, value: Any) -> Any:
         if not isinstance(value, str):
             return value if not isinstance(value, float) or math.isfinite(value) else None
-        made = WriteOnlyCell(sheet, legible(value))
+        made = WriteOnlyCell(sheet, printable_name(value))
         made.data_type = "s"  # text that begins with an equals sign is no formula
         return made
 

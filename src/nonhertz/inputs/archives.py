@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.files import content, special
+from nonhertz.inputs.files import is_special_file, read_bytes
 
 MOST_PIPED = 200_000_000  # bytes
 Entries = dict[str, np.ndarray[Any, Any]]
@@ -55,7 +55,7 @@ class Archive:
             raise InputError("file", path, "be the name of a file", "give the name of the file to write")
         arrays = {name: np.asarray(value) for name, value in fields.items()}
         arrays |= {"kind": np.asarray(self.kind), "version": np.asarray(self.version)}
-        if special(path):  # a pipe cannot be replaced, and does not let anybody seek in it
+        if is_special_file(path):  # a pipe cannot be replaced, and does not let anybody seek in it
             buffer = io.BytesIO()
             np.savez(buffer, **arrays)  # type: ignore[arg-type]
             Path(path).write_bytes(buffer.getvalue())
@@ -84,8 +84,8 @@ class Archive:
         name = str(path)
         try:
             # Memory for as much as may come is asked for at once, and a file on disk says how much that is.
-            size = MOST_PIPED if special(path) else Path(path).stat().st_size
-            data = content(path, min(self.most, size))
+            size = MOST_PIPED if is_special_file(path) else Path(path).stat().st_size
+            data = read_bytes(path, min(self.most, size))
         except (OSError, ValueError) as error:
             reason = (getattr(error, "strerror", None) or str(error)).lower()
             raise InputError("file", name, f"be a file that can be read ({reason})", self.remedy) from None
@@ -97,7 +97,7 @@ class Archive:
             raise InputError("file", name, f"hold {self.contents} of version {self.version}", self.again)
         return entries
 
-    def damaged(self, path: str | os.PathLike[str]) -> InputError:
+    def damaged_error(self, path: str | os.PathLike[str]) -> InputError:
         """Return the error about contents that are incomplete or do not fit together."""
         return InputError("file", str(path), f"hold {self.undamaged}", self.again)
 

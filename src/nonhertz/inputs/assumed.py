@@ -37,7 +37,7 @@ class Assumed:
     where: Callable[[Any], bool] = lambda inputs: True
 
 
-def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None) -> tuple[Finding, ...]:
+def collect_assumptions(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None) -> tuple[Finding, ...]:
     """Return what is assumed of inputs: the same of several once.
 
     Parameters
@@ -49,7 +49,7 @@ def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None)
     """
     keys: dict[tuple[str, str], list[str]] = {}
     for place, part in parts.items():
-        table = _at(document or {}, place)
+        table = _table_at(document or {}, place)
         for field in fields(part):
             mark = part.assumptions.get(field.name)
             if mark and field.name not in table and getattr(part, field.name) == field.default and mark.where(part):
@@ -60,12 +60,12 @@ def assumed(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None)
     )
 
 
-def restored(objects: Iterable[Mapping[str, Any]]) -> tuple[Finding, ...]:
-    """Return what `assumed` has returned, from what a result file has of it."""
+def restore_assumptions(objects: Iterable[Mapping[str, Any]]) -> tuple[Finding, ...]:
+    """Return what `collect_assumptions` has returned, from what a result file has of it."""
     return tuple(finding(_KIND, _WORDS, **entry["numbers"]) for entry in objects)
 
 
-def _at(document: Mapping[str, Any], place: str) -> Mapping[str, Any]:
+def _table_at(document: Mapping[str, Any], place: str) -> Mapping[str, Any]:
     """Return the table of a document at a place; an empty one if there is none."""
     table: Any = document
     for name in filter(None, place.split(".")):

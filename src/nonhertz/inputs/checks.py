@@ -113,7 +113,7 @@ def callback(field: str, value: object) -> None:
         raise InputError(field, value, "be a function", "give a function, or leave it out")
 
 
-def listed(field: str, value: Iterable[Any], condition: str, remedy: str) -> list[Any]:
+def check_list(field: str, value: Iterable[Any], condition: str, remedy: str) -> list[Any]:
     """Return the members of a list or another iterable, or refuse anything else, text and mappings included."""
     try:
         return list(None if isinstance(value, str | Mapping) else value)  # type: ignore[arg-type]

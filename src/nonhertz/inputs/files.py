@@ -17,7 +17,7 @@ from nonhertz.errors import InputError
 _WITHOUT_WAITING: Final = getattr(os, "O_NONBLOCK", 0)  # Windows has no such pipes
 
 
-def content(path: str | os.PathLike[str], most: int) -> bytes:
+def read_bytes(path: str | os.PathLike[str], most: int) -> bytes:
     """Return the contents of a file.
 
     Parameters
@@ -34,14 +34,14 @@ def content(path: str | os.PathLike[str], most: int) -> bytes:
     ValueError
         If the name is impossible for a file.
     """
-    with open(path, "rb", opener=_opened) as file:
+    with open(path, "rb", opener=_open_file) as file:
         data = file.read(most + 1)
     if len(data) > most:
         raise OSError(errno.EFBIG, f"larger than {most / 1e6:g} MB")
     return data
 
 
-def readable(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes, str]:
+def read_input_file(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes, str]:
     """Return the contents of a file that is given as a field, and its name as messages show it.
 
     Raises
@@ -50,8 +50,8 @@ def readable(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes
         If it cannot be read, or is larger than ``most`` bytes.
     """
     try:
-        name = legible(Path(path).name or str(path))
-        return content(path, most), name
+        name = printable_name(Path(path).name or str(path))
+        return read_bytes(path, most), name
     except (OSError, ValueError, TypeError) as error:  # ValueError: not a valid file name; TypeError: not a name
         if getattr(error, "errno", None) == errno.EFBIG:
             condition, remedy = f"be no larger than {most // 1_000_000} MB", "export fewer points"
@@ -61,19 +61,19 @@ def readable(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes
         raise InputError(field, str(path), condition, "check path and permissions") from None
 
 
-def legible(name: str) -> str:
+def printable_name(name: str) -> str:
     r"""Return the name of a file as a line of text; a name can be any bytes and may contain line breaks.
 
     Examples
     --------
-    >>> legible("roller\udcff.toml")
+    >>> printable_name("roller\udcff.toml")
     'roller\ufffd.toml'
     """
     text = os.fsencode(name).decode("utf-8", "replace")
     return "".join(character if character.isprintable() else "\ufffd" for character in text)
 
 
-def seen_from(directory: Path, file: Path) -> Path:
+def relative_path(directory: Path, file: Path) -> Path:
     """Return the path of a file relative to a directory."""
     try:
         return Path(os.path.relpath(file, directory))
@@ -81,7 +81,7 @@ def seen_from(directory: Path, file: Path) -> Path:
         return file.absolute()
 
 
-def special(path: str | os.PathLike[str]) -> bool:
+def is_special_file(path: str | os.PathLike[str]) -> bool:
     """Return whether a path leads to a device, a pipe or a socket: something that is neither a file nor a directory."""
     try:
         mode = Path(path).stat().st_mode
@@ -90,7 +90,7 @@ def special(path: str | os.PathLike[str]) -> bool:
     return not stat.S_ISREG(mode) and not stat.S_ISDIR(mode)
 
 
-def _opened(path: str, flags: int) -> int:
+def _open_file(path: str, flags: int) -> int:
     descriptor = os.open(path, flags | _WITHOUT_WAITING)
     if sys.platform != "win32":
         os.set_blocking(descriptor, True)

@@ -67,19 +67,19 @@ _MIL = re.compile(r"\bmils?\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
 
-def number_and_unit(text: str) -> tuple[str, str] | None:
+def split_quantity(text: str) -> tuple[str, str] | None:
     """Return number and unit of text such as ``"0.5 mrad"``, as they are written; None if one of them is missing.
 
     Examples
     --------
-    >>> number_and_unit("0.5 mrad"), number_and_unit("20"), number_and_unit("auto")
+    >>> split_quantity("0.5 mrad"), split_quantity("20"), split_quantity("auto")
     (('0.5', 'mrad'), None, None)
     """
     match = _QUANTITY.fullmatch(text)
     return (match[1], match[2]) if match and match[2] else None
 
 
-def in_unit(field: str, value: Any, unit: str) -> Any:
+def to_unit(field: str, value: Any, unit: str) -> Any:
     """Return a quantity as a number in ``unit``.
 
     Parameters
@@ -106,15 +106,15 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
 
     Examples
     --------
-    >>> in_unit("tilt", 0.0005, "rad")
+    >>> to_unit("tilt", 0.0005, "rad")
     0.0005
-    >>> in_unit("tilt", "0.5 mrad", "rad")
+    >>> to_unit("tilt", "0.5 mrad", "rad")
     0.0005
-    >>> in_unit("moment", "5 N m", "N mm")
+    >>> to_unit("moment", "5 N m", "N mm")
     5000.0
-    >>> in_unit("angle", "25 mm/25 mm", "rad") == math.atan(1.0)
+    >>> to_unit("angle", "25 mm/25 mm", "rad") == math.atan(1.0)
     True
-    >>> in_unit("speed", "1500 rpm", "1/min"), in_unit("speed", "25 Hz", "1/min")
+    >>> to_unit("speed", "1500 rpm", "1/min"), to_unit("speed", "25 Hz", "1/min")
     (1500.0, 1500.0)
     """
     if isinstance(value, bool):
@@ -129,7 +129,7 @@ def in_unit(field: str, value: Any, unit: str) -> Any:
     if unit == "":
         raise InputError(field, value, "be a plain number", "write it without quotes and without a unit")
     try:
-        return _converted(field, value, unit)
+        return _convert(field, value, unit)
     except ModuleNotFoundError:  # pint is an extra
         condition = f"be a plain number in {unit} where pint, which reads units, is not installed"
         raise InputError(field, value, condition, "give the number, or install it: pip install pint") from None
@@ -146,7 +146,7 @@ def begins_with_digits(text: str) -> bool:
     return _BEGINNING.match(text) is not None
 
 
-def _converted(field: str, text: str, unit: str) -> float:
+def _convert(field: str, text: str, unit: str) -> float:
     kind, example = _KINDS[unit]
     remedy = f"write a number in {unit}, or text with a unit of {kind} such as '{example}'"
     if _DECIMAL_COMMA.match(text):

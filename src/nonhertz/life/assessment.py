@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import format_digits, mm
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import listed, whole
+from nonhertz.inputs.checks import check_list, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
@@ -235,7 +235,7 @@ def _checked_rollers(rollers: int | None, ring: Raceway | None) -> int | None:
 def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
     several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
     remedy = f"give models or their names: {', '.join(MODELS)}"
-    members = listed("models", several, "be a fatigue model or several", remedy)
+    members = check_list("models", several, "be a fatigue model or several", remedy)
     chosen = [model(member) if isinstance(member, str) else member for member in members or MODELS]
     for member in chosen:
         if not isinstance(member, VolumeModel | LaminaModel):

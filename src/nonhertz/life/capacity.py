@@ -33,7 +33,8 @@ import numpy as np
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive, whole
-from nonhertz.inputs.fields import Flag, Input, Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Flag, Quantity, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller, TabulatedDiameter
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import is_steel
@@ -52,7 +53,7 @@ contact_angle_at_most = number_that(
 )
 
 
-@described()
+@input_class()
 class Raceway(Input):
     """A ring under rollers."""
 
@@ -81,7 +82,7 @@ class Raceway(Input):
     ] = "b"
     contact_angle: Annotated[float, Quantity("rad", "contact angle", contact_angle_at_most, ANGLE_REMEDY)] = 0.0
 
-    @together("roller_diameter", "pitch_diameter")
+    @cross_check("roller_diameter", "pitch_diameter")
     def _check_pitch(self) -> None:
         if self.pitch_diameter <= self.roller_diameter:
             condition = f"exceed the roller's diameter of {mm(self.roller_diameter):g}"

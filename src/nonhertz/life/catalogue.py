@@ -17,7 +17,8 @@ from typing import Annotated, Any
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive, text
-from nonhertz.inputs.fields import Input, Quantity, Word, described, together
+from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.life.lamina import LaminaModel, iso_16281
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
@@ -35,7 +36,7 @@ weibull_slope = number_that(
 _exponent = number_that(lambda value: value <= MOST_EXPONENT, f"not exceed {MOST_EXPONENT:g}", positive)
 
 
-@described()
+@input_class()
 class VolumeModel(Input):
     """A fatigue model that is an integral over the stressed volume, as made by the functions of this module."""
 
@@ -57,7 +58,7 @@ class VolumeModel(Input):
     fatigue_limit: Annotated[float, Quantity("MPa", "s_u", not_negative, "give a limit in MPa, 0 for none")]
     source: Annotated[str, Word("where it was published", "say where it has been published", condition=text)]
 
-    @together("stress", "exponent", "depth_exponent")
+    @cross_check("stress", "exponent", "depth_exponent")
     def _check_surface(self) -> None:
         if self.depth_exponent >= 1.0 and self.stress != "orthogonal_shear":
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"

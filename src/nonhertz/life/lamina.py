@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Count, Input, Word, described
+from nonhertz.inputs.descriptions import Count, Word
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
 from nonhertz.result.solution import Solved
@@ -69,7 +70,7 @@ def lamina_stiffness(length: float, laminae: int, compliance: float = _OF_STEEL)
     return float(roller_stiffness(length, compliance) / laminae * 2.0**STIFFENING)
 
 
-@described()
+@input_class()
 class LaminaModel(Input):
     """The lamina life of ISO/TS 16281, as made by `iso_16281`."""
 

@@ -7,7 +7,7 @@ from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import is_number, positive
-from nonhertz.inputs.fields import Custom
+from nonhertz.inputs.descriptions import Custom
 
 _HOURS: Final = re.compile(r"(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?) *h")
 _REMEDY: Final = "give millions of revolutions as a number, or hours as text such as '20000 h'"

@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any, TypeVar
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import above_zero, finite, listed, number_that, positive
-from nonhertz.inputs.fields import Input, Quantity, described
+from nonhertz.inputs.checks import above_zero, check_list, finite, number_that, positive
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.contact import Contact
 from nonhertz.result.solution import Solution
 from nonhertz.solver.many import solve_many
@@ -47,7 +48,7 @@ def checked_shares(
 def checked_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
     """Return load cases of a kind in a list; refuse anything else, and none at all."""
     remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.LoadCase"
-    items: list[Case] = listed(name, cases, "be load cases", remedy)
+    items: list[Case] = check_list(name, cases, "be load cases", remedy)
     if not items or not all(isinstance(case, kind) for case in items):
         raise InputError(name, cases, "be load cases", remedy)
     return items
@@ -70,7 +71,7 @@ def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
 share_of_revolutions = number_that(lambda share: share <= 1.0, "not exceed 1", positive)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class LoadCase(Input):
     """A load carried for a share of the revolutions.
 

@@ -51,7 +51,7 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Return the fields of a map."""
     fields = _fields(ARCHIVE.load(path))
     if fields is None:
-        raise ARCHIVE.damaged(path)
+        raise ARCHIVE.damaged_error(path)
     return fields
 
 

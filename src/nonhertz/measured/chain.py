@@ -12,8 +12,9 @@ import numpy as np
 from nonhertz.amounts import amount, mm, um
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding, sentences
-from nonhertz.inputs.checks import listed, one_of, positive
-from nonhertz.inputs.fields import Count, Flag, OrFlag, Part, Quantity, Word, checked
+from nonhertz.inputs.checks import check_list, one_of, positive
+from nonhertz.inputs.descriptions import Count, Flag, OrFlag, Part, Quantity, Word
+from nonhertz.inputs.fields import validate_call
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
 from nonhertz.measured.land import steps_in
@@ -94,7 +95,7 @@ class Measured:
     def __post_init__(self) -> None:
         if not isinstance(self.trace, Trace):
             raise InputError("trace", self.trace, "be a Trace", "read one with nonhertz.files.traces.read_trace")
-        steps = listed("steps", self.steps, "be a list of steps", "give Level(), Align() and the like")
+        steps = check_list("steps", self.steps, "be a list of steps", "give Level(), Align() and the like")
         for step in steps:
             if not (isinstance(getattr(step, "name", None), str) and callable(getattr(step, "apply", None))):
                 raise InputError("steps", step, "be a step", "give Level(), Align() and the like")
@@ -328,7 +329,7 @@ class Measured:
         return replace(self, steps=steps)
 
 
-@checked
+@validate_call
 def prepare(
     trace: Annotated[Trace, Part("the raw measurement", Trace, "read one with nonhertz.files.traces.read_trace")],
     *,

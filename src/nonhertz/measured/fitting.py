@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import finite, flag, listed, numbers, one_of
-from nonhertz.inputs.fields import Quantity
+from nonhertz.inputs.checks import check_list, finite, flag, numbers, one_of
+from nonhertz.inputs.descriptions import Quantity
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile
 
@@ -192,7 +192,7 @@ def fit_best(
     """
     remedy = "give names of kinds, or leave them out"
     kinds = (
-        tuple(listed("kinds", kinds, "be a list of kinds", remedy))
+        tuple(check_list("kinds", kinds, "be a list of kinds", remedy))
         if kinds is not None
         else tuple(k for k in KINDS if not (tilt and k in _TURNED))
     )

@@ -16,7 +16,8 @@ import numpy as np
 from nonhertz.amounts import amount, mm, mrad, um
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
-from nonhertz.inputs.fields import Count, Input, Quantity, Word, described
+from nonhertz.inputs.descriptions import Count, Quantity, Word
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
@@ -105,7 +106,7 @@ class Step(Protocol):
         """Return the points after the step and what it did."""
 
 
-@described()
+@input_class()
 class Level(Input):
     """Remove the tilt at which the body lay in the machine.
 
@@ -128,7 +129,7 @@ class Level(Input):
         return StepResult(self.name, after, words, {"tilt": lean, "low": low, "high": high}, removed_height=line)
 
 
-@described()
+@input_class()
 class Align(Input):
     """Move y = 0 to the middle of the body.
 
@@ -171,7 +172,7 @@ class Align(Input):
         return StepResult(self.name, after, words, {"shift": -middle, "low": low - middle, "high": high - middle})
 
 
-@described()
+@input_class()
 class Trim(Input):
     """Cut off what does not belong to the body, and mark where the land ends and the corners begin.
 
@@ -243,7 +244,7 @@ def _cornered(
     return (begins[0], begins[1]), (bounds[0], bounds[1])
 
 
-@described()
+@input_class()
 class Outliers(Input):
     """Remove points that do not belong to the surface: dust, scratches, lost contact of the stylus.
 
@@ -286,7 +287,7 @@ class Outliers(Input):
         return StepResult(self.name, after, words, numbers, (points.y[out], points.height[out]))
 
 
-@described()
+@input_class()
 class Smooth(Input):
     """Remove roughness: waves shorter than a cutoff.
 
@@ -341,7 +342,7 @@ class Smooth(Input):
         return StepResult(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
 
 
-@described()
+@input_class()
 class Thin(Input):
     """Keep only as many points as a smooth line needs: the solver has a few hundred strips, a trace 10,000 points.
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed, numbers, text
+from nonhertz.inputs.checks import check_list, numbers, text
 
 Array = NDArray[np.float64]
 
@@ -164,7 +164,7 @@ class Trace(Points):
     def __post_init__(self) -> None:
         super().__post_init__()
         text("name", self.name, "give the name of the file, say")
-        for note in listed("notes", self.notes, "be a list of sentences", "leave them out"):
+        for note in check_list("notes", self.notes, "be a list of sentences", "leave them out"):
             text("notes", note, "give a sentence for each")
         object.__setattr__(self, "notes", tuple(self.notes))
 
@@ -234,7 +234,7 @@ def _read_only(name: str, values: ArrayLike) -> Array:
 
 def _checked_intervals(name: str, intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
     remedy = "give intervals in mm, low end first"
-    pairs = [numbers(name, pair, remedy) for pair in listed(name, intervals, "be a list of intervals", remedy)]
+    pairs = [numbers(name, pair, remedy) for pair in check_list(name, intervals, "be a list of intervals", remedy)]
     if not all(pair.shape == (2,) and pair[0] <= pair[1] for pair in pairs):
         raise InputError(name, intervals, "be pairs of ends that ascend", remedy)
     return tuple((float(low), float(high)) for low, high in pairs)

@@ -16,7 +16,8 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import LEAST, finite, not_negative, numbers, positive
-from nonhertz.inputs.fields import Count, Input, OneOrTwo, Part, Quantities, Quantity, described, together
+from nonhertz.inputs.descriptions import Count, OneOrTwo, Part, Quantities, Quantity
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.depths import DEPTH_REMEDY, DEPTHS, THICKNESS, Depth, DepthRule, depth_of
 from nonhertz.model.material import STEEL
@@ -54,7 +55,7 @@ _OF_NO_FACE: Final = ("free", "mirror")
 _DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
 
 
-@described()
+@input_class()
 class TabulatedDiameter(Input):
     """A diameter that changes along the axis, linear between points.
 
@@ -70,17 +71,17 @@ class TabulatedDiameter(Input):
         tuple[float, ...], Quantities("mm", "diameters there, all of one sign; 0 only in a bore, where there is none")
     ]
 
-    @together("y", "diameter")
+    @cross_check("y", "diameter")
     def _check_length(self) -> None:
         if len(self.y) != len(self.diameter) or len(self.y) < 2:
             raise InputError("y", self.y, "hold as many points as diameter, at least two", "give both lists")
 
-    @together("y")
+    @cross_check("y")
     def _check_order(self) -> None:
         if not np.all(np.diff(self.y) > 0.0):
             raise InputError("y", self.y, "be finite and ascending", "sort the points along the axis")
 
-    @together("diameter")
+    @cross_check("diameter")
     def _check_signs(self) -> None:
         low, high = min(self.diameter, default=1.0), max(self.diameter, default=1.0)
         if low * high < 0.0 or low == high == 0.0:
@@ -120,7 +121,7 @@ def _bore(name: str, value: Any, remedy: str) -> None:
         raise InputError(name, value.diameter, "be positive", remedy)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Body(Input):
     """A body with, in every plane of constant y, a constant radius of curvature across the contact.
 
@@ -254,13 +255,13 @@ class Body(Input):
         ),
     ] = None
 
-    @together("length", "effective_length")
+    @cross_check("length", "effective_length")
     def _check_effective_length(self) -> None:
         if self.length is not None and self.effective_length is not None and self.effective_length > self.length:
             condition = f"not exceed the length of {mm(self.length):g}"
             raise InputError("effective_length", self.effective_length, condition, _TOUCHING_REMEDY)
 
-    @together("length", "corner_radius", "chamfer", "profile")
+    @cross_check("length", "corner_radius", "chamfer", "profile")
     def _check_corner(self) -> None:
         for name in ("chamfer", "corner_radius"):
             if getattr(self, name) is None:
@@ -274,13 +275,13 @@ class Body(Input):
                 raise InputError(name, getattr(self, name), condition, "leave it out, or give the trace corner = 'cut'")
         _ = self.surface
 
-    @together("length", "side_faces", "material")
+    @cross_check("length", "side_faces", "material")
     def _check_faces(self) -> None:
         weights = [side.image_weight(self.material.poisson) for side in self.sides]
         if self.length is None and self.side_faces not in _OF_NO_FACE and max(weights) > 0.0:
             raise InputError("length", None, f"be given where side_faces = {shown(self.side_faces)}", _FACELESS_REMEDY)
 
-    @together("diameter", "length", "side_faces", "images", "material", "depth", "bore")
+    @cross_check("diameter", "length", "side_faces", "images", "material", "depth", "bore")
     def _check_depth(self) -> None:
         if self.bore is not None and not self.behind.whole:
             words = " or ".join(repr(depth.word) for depth in DEPTHS.values() if depth.whole)
@@ -434,7 +435,7 @@ class Body(Input):
         return 2.0 / diameter
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
@@ -447,12 +448,12 @@ class Roller(Body):
     (-10.0, 10.0)
     """
 
-    @together("diameter")
+    @cross_check("diameter")
     def _check_convex(self) -> None:
         if self.diameter is None or not convex(self.diameter):
             raise InputError("diameter", self.diameter, "be positive", "give the roller's diameter in mm")
 
-    @together("length")
+    @cross_check("length")
     def _check_bounded(self) -> None:
         if self.length is None:
             raise InputError("length", self.length, "be given", "give the roller's length in mm")
@@ -463,7 +464,7 @@ class Roller(Body):
         return "finite" if can_be_whole(self) else "plane-strain"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Ring(Body):
     """A raceway: `Body` with a ``diameter``, positive on an inner ring, negative (concave) on an outer ring.
 
@@ -475,14 +476,14 @@ class Ring(Body):
     True
     """
 
-    @together("diameter")
+    @cross_check("diameter")
     def _check_curved(self) -> None:
         if self.diameter is None:
             remedy = "give the raceway's diameter in mm, negative for an outer ring"
             raise InputError("diameter", self.diameter, "be given", remedy)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Plate(Body):
     """A flat body: `Body` without a ``diameter``.
 
@@ -492,7 +493,7 @@ class Plate(Body):
     0.0
     """
 
-    @together("diameter")
+    @cross_check("diameter")
     def _check_flat(self) -> None:
         if self.diameter is not None:
             remedy = "make a curved one a roller or a ring, or leave its kind open"

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Input, Part, described, together
+from nonhertz.inputs.descriptions import Part
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.body import Body
 from nonhertz.model.profile.base import places
 
@@ -24,7 +25,7 @@ RESOLVED = 1e-8
 _MADE_BY = "make one with Roller, Ring, Plate or Body"
 
 
-@described()
+@input_class()
 class Contact(Input):
     """Two bodies that are about to touch along the y axis.
 
@@ -46,7 +47,7 @@ class Contact(Input):
     a: Annotated[Body, Part("one body; their order matters only for what is reported about each", Body, _MADE_BY)]
     b: Annotated[Body, Part("the other body", Body, _MADE_BY)]
 
-    @together("a", "b")
+    @cross_check("a", "b")
     def _check_overlap(self) -> None:
         low, high = self.interval
         if not low < high:

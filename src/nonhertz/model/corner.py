@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, numbers, positive
-from nonhertz.inputs.fields import Input, Quantity, described, together
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.profile.base import SAME_PLACE, Formula, Profile
 from nonhertz.model.profile.circular import drop_of_circle
 
@@ -81,7 +82,7 @@ class Rounded(Corner):
 _acute = number_that(lambda angle: 0.0 < angle < 0.5 * math.pi, "lie between 0 and pi / 2")
 
 
-@described()
+@input_class()
 class Chamfer(Input, Corner):
     """Chamfers at both ends of a body, each with an arc that blends it into the surface.
 
@@ -125,7 +126,7 @@ class Chamfer(Input, Corner):
         ),
     ] = 0.0
 
-    @together("length", "angle", "blend_radius")
+    @cross_check("length", "angle", "blend_radius")
     def _check_arc(self) -> None:
         if self.arc > self.length:
             condition = f"leave the arc, {mm(self.arc):.4g} along the axis, within the chamfer's {mm(self.length):g}"

@@ -10,7 +10,8 @@ from nonhertz.amounts import mpa
 from nonhertz.errors import InputError
 from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import finite, positive
-from nonhertz.inputs.fields import Input, Quantity, Word, described
+from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.fields import Input, input_class
 
 #: Scales of hardness, each with the range in which its test is made: ISO 6507, 6508 and 6506.
 SCALES: Final = {"HV": (1.0, 3000.0), "HRC": (20.0, 70.0), "HBW": (1.0, 650.0)}
@@ -49,7 +50,7 @@ def check_poisson(name: str, poisson: float, remedy: str = "give Poisson's ratio
         raise InputError(name, poisson, "lie in (-1, 0.5]", remedy)
 
 
-@described()
+@input_class()
 class Material(Input):
     """A linear elastic, isotropic material, and its strength.
 

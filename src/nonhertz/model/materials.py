@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from nonhertz.inputs.checks import text
-from nonhertz.inputs.fields import Part, unknown
+from nonhertz.inputs.descriptions import Part, unknown_word_error
 from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
 
 STEEL_DENSITY = 7.85e-9  # t/mm^3
@@ -177,7 +177,7 @@ class _Materials(dict[str, Material]):
     """Materials by name; where there is none, the error names the nearest."""
 
     def __missing__(self, name: object) -> Material:
-        raise KeyError(str(unknown("name", name, "material", self, "run 'nonhertz materials' for the list")))
+        raise KeyError(str(unknown_word_error("name", name, "material", self, "run 'nonhertz materials' for the list")))
 
 
 #: Materials that a case file may refer to by name.
@@ -210,7 +210,7 @@ def listed_as(name: str) -> Listed:
     for entry in LIBRARY:
         if name in (entry.name, *entry.others):
             return entry
-    raise unknown("name", name, "material", MATERIALS, "run 'nonhertz materials' for the list")
+    raise unknown_word_error("name", name, "material", MATERIALS, "run 'nonhertz materials' for the list")
 
 
 def name_of(material: Material) -> str:

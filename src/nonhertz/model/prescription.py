@@ -10,7 +10,8 @@ import numpy as np
 from nonhertz.amounts import mm, newton
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
-from nonhertz.inputs.fields import Input, Quantity, described, together
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.contact import Contact, derived
 
 # Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
@@ -28,7 +29,7 @@ def _small(name: str, tilt: float, remedy: str) -> None:
         raise InputError(name, tilt, f"be a small angle, of at most {MOST_TILT:g} rad", remedy)
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Prescription(Input):
     """What presses the bodies together: load or approach, and tilt or moment; the other two are results."""
 
@@ -56,7 +57,7 @@ class Prescription(Input):
         Quantity("N mm", "moment of the pressure about y = 0, in place of tilt", finite, "give the moment in N mm"),
     ] = None
 
-    @together("load", "approach")
+    @cross_check("load", "approach")
     def _check_load(self) -> None:
         refuse_unpaired(self.approach, self.load, None, None)
 

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, not_negative, number_that, positive
-from nonhertz.inputs.fields import Input, Quantity, described, together
+from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.fields import Input, cross_check, input_class
 
 Array = NDArray[np.float64]
 
@@ -27,7 +28,7 @@ _CENTRE_REMEDY = "give the middle of the dent in mm"
 _SHOULDER_REMEDY = "give the outer diameter of the shoulder in mm, or leave it out"
 
 
-@described(kw_only=True)
+@input_class(kw_only=True)
 class Dent(Input):
     """A round dent, as a hard particle leaves in a raceway when it is rolled over, with an optional shoulder.
 
@@ -75,7 +76,7 @@ class Dent(Input):
         if self.shoulder_diameter is None:
             object.__setattr__(self, "shoulder_diameter", 1.6 * self.diameter)
 
-    @together("diameter", "shoulder_diameter")
+    @cross_check("diameter", "shoulder_diameter")
     def _check_shoulder(self) -> None:
         if self.shoulder_diameter is not None and self.shoulder_diameter <= self.diameter:
             condition = f"exceed the diameter of {mm(self.diameter):g}"

@@ -19,7 +19,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.keys import MICROMETRES, Key, Table, profile_kinds, table_of, unit_of
 from nonhertz.files.measured import KIND as MEASURED
 from nonhertz.files.profiles import profile_tables
-from nonhertz.inputs.units import begins_with_digits, in_unit
+from nonhertz.inputs.units import begins_with_digits, to_unit
 from nonhertz.measured import prepare
 from nonhertz.model.body import BODIES, Body
 from nonhertz.model.material import Material
@@ -207,7 +207,7 @@ def _profile(
     for name, key in table.keys.items():
         value = own.get(name, None if "file" in own and name in ("y", "relief") else usual.get(name))
         if isinstance(value, str) and begins_with_digits(value) and unit_of(key.description):
-            value = in_unit(name, value, unit_of(key.description))
+            value = to_unit(name, value, unit_of(key.description))
         if value is not None:
             dropped = "; from the drop" if "drop" in own and name == determined(kind, own) else ""
             yield _entry(f"{place}.{name}", value, key, own, dropped)

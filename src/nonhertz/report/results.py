@@ -18,7 +18,7 @@ from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
 from nonhertz.files.stresses import all_findings
 from nonhertz.findings import sentences
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
     Announce,
@@ -279,7 +279,7 @@ def labels(cases: Sequence[Case | BearingCase]) -> list[str]:
     """Return the label of each case in tables and legends: its file's name, with its path or a number if ambiguous."""
     names = [Path(case.file_name).stem for case in cases]
     if len(set(names)) < len(names):
-        names = [legible(str(case.path.with_suffix(""))) for case in cases]
+        names = [printable_name(str(case.path.with_suffix(""))) for case in cases]
     if len(set(names)) < len(names):
         names = [f"{name} ({number})" for number, name in enumerate(names, start=1)]
     return names

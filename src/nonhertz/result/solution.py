@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.bodies.shape import Shape
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.assumed import assumed
+from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import broadcast, numbers
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -276,7 +276,7 @@ class Solution(Solved):
     @property
     def assumed(self) -> tuple[Finding, ...]:
         """What is assumed where the bodies leave something out that decides the result."""
-        return assumed({"a": self.contact.a, "b": self.contact.b})
+        return collect_assumptions({"a": self.contact.a, "b": self.contact.b})
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]

@@ -17,7 +17,7 @@ from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case, placed
 from nonhertz.files.lives import Assessment
 from nonhertz.findings import finding
-from nonhertz.inputs.assumed import assumed
+from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.life import Model, VolumeModel, overrolled, solve_spectrum
 from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
@@ -151,7 +151,7 @@ def assessed(
                 announce=_announcer(announce, body, len(spectrum)),
             )
         asked = replace(case.life, models=tuple(model.name for model in models))
-        of_models = assumed({"life": asked}, None if case.origin is None else case.origin.document)
+        of_models = collect_assumptions({"life": asked}, None if case.origin is None else case.origin.document)
         required = case.life.required_revolutions
         found = Assessment(case.title, case.life.rollers, spectrum, lives, notes, required=required, assumed=of_models)
         dent = case.life.dent

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import listed
+from nonhertz.inputs.checks import check_list
 from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.result.outcome import restored, solution_of, states_of_levels
@@ -27,7 +27,7 @@ def list_contacts(contacts: Contact | Iterable[Contact]) -> list[Contact]:
     if isinstance(contacts, Contact):
         return [contacts]
     remedy = "give one Contact, or a list of them"
-    checked: list[Contact] = listed("contacts", contacts, "be contacts", remedy)
+    checked: list[Contact] = check_list("contacts", contacts, "be contacts", remedy)
     for number, contact in enumerate(checked):
         if not isinstance(contact, Contact):
             raise InputError(f"contacts[{number}]", contact, "be a Contact", remedy)

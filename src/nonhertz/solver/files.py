@@ -104,7 +104,7 @@ def read(
     stated = text(entries, "digest")
     fields = {name: value for name, value in entries.items() if name not in {"kind", "version", "digest"}}
     if stated != digest(fields):
-        raise ARCHIVE.damaged(path)
+        raise ARCHIVE.damaged_error(path)
     shape = tuple(fields["shape"].tolist())
     if isinstance(contacts, Contact):
         sources = sources * shape[-1]

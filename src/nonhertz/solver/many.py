@@ -204,7 +204,7 @@ def _broadcast(
 
 def _parse_number(name: str, value: Any) -> Any:
     """Return text with a unit as a number in that of what is prescribed; anything else as it is."""
-    return Prescription.descriptions[name].take(name, value) if isinstance(value, str) else value
+    return Prescription.descriptions[name].validate(name, value) if isinstance(value, str) else value
 
 
 def _make_tasks(

@@ -399,13 +399,13 @@ def begins_of(task: Task, starts: int) -> list[Array]:
 
 def _as_it_is(task: Task) -> Array | None:
     """Return the case as it is; None if it lies outside the bounds, or does not say."""
-    from nonhertz.inputs.units import in_unit
+    from nonhertz.inputs.units import to_unit
 
     found = []
     for variable in task.variables:
         parameter = task.template.known[variable.path]
         value = parameter.value_in(task.template.document)
-        number = in_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
+        number = to_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
         if not isinstance(number, float) or not variable.low <= number <= variable.high:
             return None
         found.append(variable.share(number))

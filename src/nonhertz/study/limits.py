@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.spreads import number_in
-from nonhertz.inputs.fields import unknown_key
+from nonhertz.inputs.descriptions import unknown_key_error
 from nonhertz.result.quantities import Quantity
 
 CERTAINTY = 0.95
@@ -60,7 +60,7 @@ def limits_in(limits: Mapping[str, Any], known: Mapping[str, Quantity]) -> tuple
     found = []
     for name, given in limits.items():
         if name not in known:
-            raise unknown_key(str(name), given, known, "quantity")
+            raise unknown_key_error(str(name), given, known, "quantity")
         if isinstance(given, Limit):
             found.append(given)
             continue

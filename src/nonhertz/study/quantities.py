@@ -11,7 +11,7 @@ from nonhertz.bearing.quantities import LIVES, SolvedBearing
 from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
 from nonhertz.errors import NonhertzError
 from nonhertz.files.casefile import Case
-from nonhertz.inputs.fields import unknown
+from nonhertz.inputs.descriptions import unknown_word_error
 from nonhertz.life import Life, assess
 from nonhertz.life.assessment import Spectrum
 from nonhertz.life.spectrum import solve_spectrum
@@ -108,5 +108,5 @@ def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     asked = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
     for name in asked:
         if name not in every:
-            raise unknown("quantities", name, "quantity", every)
+            raise unknown_word_error("quantities", name, "quantity", every)
     return tuple(every[name] for name in asked)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import listed, not_negative, positive
+from nonhertz.inputs.checks import check_list, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.edges import EdgeKind
@@ -239,7 +239,7 @@ def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, E
 
 def _checked_depths(depths: Span) -> Span:
     remedy = "give the least and the largest depth in mm, the latter may be infinite"
-    pair = listed("depths", depths, "be a pair of depths", remedy)
+    pair = check_list("depths", depths, "be a pair of depths", remedy)
     if len(pair) != 2:
         raise InputError("depths", depths, "be a pair of depths", remedy)
     not_negative("depths", pair[0], remedy)

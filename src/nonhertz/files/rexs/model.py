@@ -11,7 +11,7 @@ from typing import Any, Final
 from xml.etree import ElementTree as ET
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.files import readable
+from nonhertz.inputs.files import read_input_file
 
 LARGEST: Final = 50_000_000  # bytes
 VERSION: Final = "1.4"
@@ -69,7 +69,7 @@ def read_model(path: str | Path) -> Model:
     InputError
         If it cannot be read, is too large, no REXS, or of a version before 1.4.
     """
-    data, name = readable("rexs", path, LARGEST)
+    data, name = read_input_file("rexs", path, LARGEST)
     try:
         text = data.decode("utf-8-sig")
         model = _of_json(text) if text.lstrip()[:1] == "{" else _of_xml(text)

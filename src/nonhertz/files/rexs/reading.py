@@ -17,7 +17,7 @@ from nonhertz.files.rexs import attributes as table
 from nonhertz.files.rexs.attributes import Attribute
 from nonhertz.files.rexs.model import Attributes, Model, read_model
 from nonhertz.files.rexs.writing import PAIRS
-from nonhertz.inputs.files import legible
+from nonhertz.inputs.files import printable_name
 from nonhertz.model.materials import MATERIALS
 
 _KIND_OF: Final = {word: kind for kind, words in table.TYPES.items() for word in words}
@@ -66,7 +66,7 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
     """
     model = read_model(path)
     number = _chosen(model, component)
-    bearing, name = _Bearing(model, number), legible(Path(path).name)
+    bearing, name = _Bearing(model, number), printable_name(Path(path).name)
     first = f"For 'nonhertz bearing': {bearing.title or 'bearing'}, component {number} of {name}. Add what you know."
     try:
         document = bearing.document()
@@ -86,7 +86,7 @@ def _chosen(model: Model, number: int | None) -> int:
     if number is None and len(known) == 1:
         return known[0]
     if number not in known:
-        names = [f"{entry} ({legible(model.components[entry].name)})" for entry in known[:_LISTED]]
+        names = [f"{entry} ({printable_name(model.components[entry].name)})" for entry in known[:_LISTED]]
         more = [f"{len(known) - _LISTED} more"] if len(known) > _LISTED else []
         condition = f"be the number of a rolling bearing of the model: {joined([*names, *more], 'or')}"
         raise InputError("component", number, condition, "name one of them")
@@ -99,7 +99,7 @@ class _Bearing:
     def __init__(self, model: Model, number: int) -> None:
         self.model, self.number = model, number
         self.own = model.components[number].attributes
-        self.title = legible(model.components[number].name)
+        self.title = printable_name(model.components[number].name)
         self.sentences: list[str] = []
         word = _word(self.own, "bearing_type")
         if word not in _KIND_OF:

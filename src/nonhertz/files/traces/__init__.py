@@ -18,8 +18,8 @@ from nonhertz.files.traces.records import is_records, read_records
 from nonhertz.files.traces.sheets import is_workbook, lines_of_workbook
 from nonhertz.files.traces.text import decoded
 from nonhertz.files.traces.x3p import is_container, read_container
-from nonhertz.inputs.files import readable
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.files import read_input_file
+from nonhertz.inputs.units import to_unit
 from nonhertz.measured.trace import Trace
 
 __all__ = ["LARGEST_FILE", "read_trace"]
@@ -81,7 +81,7 @@ def read_trace(
     (-0.0031, 'roller.csv')
     """
     data, name = _content(source, name)
-    length = in_unit("step", step, "mm")
+    length = to_unit("step", step, "mm")
     request = Request(name, position_unit, height_unit, position_column, height_column, sense, length)
     return made(_line(data, request), request)
 
@@ -89,7 +89,7 @@ def read_trace(
 def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[bytes, str]:
     if isinstance(source, bytes):
         return _bounded(source, name or "the measured profile"), name or "the measured profile"
-    data, own = readable("file", source, LARGEST_FILE)
+    data, own = read_input_file("file", source, LARGEST_FILE)
     return _bounded(data, name or own), name or own
 
 

@@ -12,7 +12,8 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.files.traces.lengths import millimetres
 from nonhertz.inputs.checks import positive, text
-from nonhertz.inputs.fields import Custom, Input, Quantity, Word, described
+from nonhertz.inputs.descriptions import Custom, Quantity, Word
+from nonhertz.inputs.fields import Input, input_class
 from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Trace, dropouts, holes, usual_step
 
 #: Points of the longest line that is read.
@@ -43,7 +44,7 @@ _COLUMN = {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]}
 _WHICH = "give its number from 1, or its name"
 
 
-@described()
+@input_class()
 class Request(Input):
     """What the caller says about a file; see `nonhertz.files.traces.read_trace`."""
 
@@ -130,10 +131,10 @@ def in_mm(field: str, unit: str) -> float:
     """
     if (factor := millimetres(unit)) is not None:
         return factor
-    from nonhertz.inputs.units import in_unit
+    from nonhertz.inputs.units import to_unit
 
     try:
-        return float(in_unit(field, unit if unit[:1].isdigit() else f"1 {unit}", "mm"))
+        return float(to_unit(field, unit if unit[:1].isdigit() else f"1 {unit}", "mm"))
     except InputError:
         raise InputError(field, unit, "be a unit of length", "write mm, um, nm, m or in") from None
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive
-from nonhertz.inputs.fields import Flag, Quantity
+from nonhertz.inputs.descriptions import Flag, Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.kind import kind
 
@@ -105,7 +105,7 @@ def _outside_the_middle(radius: float, straight: float, blended: bool) -> None:
         raise InputError("straight", straight, condition, "shorten it or raise the radius")
 
 
-@kind(by_drop=("radius", "straight"), together=(_outside_the_middle,))
+@kind(by_drop=("radius", "straight"), cross_checks=(_outside_the_middle,))
 def partial_crown(
     radius: Annotated[
         float,
@@ -157,7 +157,7 @@ def _within_the_circle(radius: float, middle: float) -> None:
         raise InputError("middle", middle, condition, "shorten it or raise the radius")
 
 
-@kind(by_drop=("end_radius", "radius"), together=(_within_the_circle,))
+@kind(by_drop=("end_radius", "radius"), cross_checks=(_within_the_circle,))
 def two_radius(
     radius: Annotated[
         float,

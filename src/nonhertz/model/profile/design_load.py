@@ -7,7 +7,7 @@ import math
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
-from nonhertz.inputs.fields import Quantity
+from nonhertz.inputs.descriptions import Quantity
 from nonhertz.model.material import STEEL
 
 LOAD = Quantity("N", "the design load of the contact", positive, "give the design load of one contact in N")

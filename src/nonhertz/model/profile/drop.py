@@ -18,7 +18,7 @@ import numpy as np
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, number_that, one_of
-from nonhertz.inputs.fields import unknown_key
+from nonhertz.inputs.descriptions import unknown_key_error
 from nonhertz.model.profile.base import Profile
 from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS
 
@@ -123,7 +123,7 @@ def _check_names(kind: str, free: str, parameters: Mapping[str, Any]) -> None:
     known = PARAMETERS[kind]
     for name, value in parameters.items():
         if name not in known.descriptions:
-            raise unknown_key(name, value, known.descriptions, "parameter", f"'{kind}'")
+            raise unknown_key_error(name, value, known.descriptions, "parameter", f"'{kind}'")
     for name in known.descriptions:
         if name in known.without_default and name not in parameters and name != free:
             raise InputError(name, None, f"be given, because the drop determines {free}", "give both")

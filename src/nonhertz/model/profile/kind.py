@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, ClassVar, Final, ParamSpec, get_type_hints
 
-from nonhertz.inputs.fields import Input, parameters_of, plain_signature
+from nonhertz.inputs.fields import Input, parameters_class, strip_signature
 from nonhertz.model.profile.base import Profile
 
 P = ParamSpec("P")
@@ -46,7 +46,7 @@ def kind(
     *,
     by_drop: tuple[str, ...] = (),
     of_body: Mapping[str, str] = MappingProxyType({}),
-    together: tuple[Callable[..., None], ...] = (),
+    cross_checks: tuple[Callable[..., None], ...] = (),
 ) -> Callable[[Callable[P, Profile]], Callable[P, Profile]]:
     """Return a decorator that makes a kind of the catalogue of a function; dashes in its name are those of files.
 
@@ -54,14 +54,14 @@ def kind(
     ----------
     by_drop, of_body : tuple of str, mapping
         As of `ProfileKind`.
-    together : tuple of callable
+    cross_checks : tuple of callable
         Checks of several parameters, each a function of these, by their names.
     """
 
-    def made(function: Callable[P, Profile]) -> Callable[P, Profile]:
-        word, cls = function.__name__.replace("_", "-"), parameters_of(function, ProfileKind)
+    def decorate(function: Callable[P, Profile]) -> Callable[P, Profile]:
+        word, cls = function.__name__.replace("_", "-"), parameters_class(function, ProfileKind)
         cls.by_drop, cls.of_body = by_drop, of_body
-        cls.checks_together = tuple(_check_of(check) for check in together)
+        cls.cross_checks = tuple(_check_of(check) for check in cross_checks)
 
         @functools.wraps(function)
         def profile(*values: P.args, **keywords: P.kwargs) -> Profile:
@@ -69,11 +69,11 @@ def kind(
             return function(**parameters).called(word, **parameters)  # type: ignore[call-arg]
 
         profile.__doc__ = cls.__doc__
-        profile.__signature__ = plain_signature(function, get_type_hints(function))  # type: ignore[attr-defined]
+        profile.__signature__ = strip_signature(function, get_type_hints(function))  # type: ignore[attr-defined]
         CATALOGUE[word], PARAMETERS[word] = profile, cls
         return profile
 
-    return made
+    return decorate
 
 
 def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:

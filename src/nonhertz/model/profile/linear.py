@@ -11,7 +11,7 @@ import numpy as np
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive
-from nonhertz.inputs.fields import Quantity
+from nonhertz.inputs.descriptions import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile, Straight
 from nonhertz.model.profile.kind import kind
 
@@ -144,7 +144,7 @@ def _on_the_body(length: float, width: float) -> None:
         raise InputError("width", width, condition, "give the length of one chamfer in mm")
 
 
-@kind(by_drop=("angle", "width"), of_body={"length": "length"}, together=(_on_the_body,))
+@kind(by_drop=("angle", "width"), of_body={"length": "length"}, cross_checks=(_on_the_body,))
 def chamfer(
     length: Annotated[
         float,

@@ -10,7 +10,7 @@ import numpy as np
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive
-from nonhertz.inputs.fields import Quantity
+from nonhertz.inputs.descriptions import Quantity
 from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.design_load import (
     COMPLIANCE,
@@ -242,7 +242,7 @@ def iso_thrust(
     return iso_logarithmic(diameter, length)
 
 
-@kind(by_drop=("load",), of_body={"length": "land", "radius": "radius"}, together=(line_contact,))
+@kind(by_drop=("load",), of_body={"length": "land", "radius": "radius"}, cross_checks=(line_contact,))
 def johns_gohar(
     load: Annotated[float, LOAD],
     length: Annotated[float, LENGTH],
@@ -286,7 +286,7 @@ def _line_contact_or_end(
         line_contact(load, length, radius, compliance)
 
 
-@kind(by_drop=("load", "zm"), of_body={"length": "land", "radius": "radius"}, together=(_line_contact_or_end,))
+@kind(by_drop=("load", "zm"), of_body={"length": "land", "radius": "radius"}, cross_checks=(_line_contact_or_end,))
 def fujiwara_kawase(
     load: Annotated[float, LOAD],
     length: Annotated[float, LENGTH],

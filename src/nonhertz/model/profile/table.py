@@ -15,8 +15,8 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
-from nonhertz.inputs.fields import Quantities, Word
-from nonhertz.inputs.files import content, legible, special
+from nonhertz.inputs.descriptions import Quantities, Word
+from nonhertz.inputs.files import is_special_file, printable_name, read_bytes
 from nonhertz.model.profile.base import Array, Formula, Profile
 from nonhertz.model.profile.kind import kind
 
@@ -122,7 +122,7 @@ def _apart(y: Sequence[float]) -> None:
         raise InputError("y", y, condition, "keep one point per position")
 
 
-@kind(together=(_one_relief_per_position, _apart))
+@kind(cross_checks=(_one_relief_per_position, _apart))
 def tabulated(
     y: Annotated[
         Sequence[float],
@@ -205,24 +205,24 @@ def from_file(path: str | os.PathLike[str], interpolation: Interpolation = "pchi
     path = Path(path)
     points = _read(path)
     if len(points) < 2:
-        content = f"{legible(path.name)} holds {'only one point' if points else 'no data'}"
+        content = f"{printable_name(path.name)} holds {'only one point' if points else 'no data'}"
         raise InputError("path", str(path), f"name a file of at least two points ({content})", _COLUMNS)
     y, relief = zip(*points, strict=True)
     try:
         return tabulated(y, relief, interpolation)
     except InputError as error:
-        raise error.within(legible(path.name)) from None
+        raise error.within(printable_name(path.name)) from None
 
 
 def _read(path: Path) -> list[tuple[float, float]]:
-    if special(path):
+    if is_special_file(path):
         raise InputError("path", str(path), "name a file, not a device or a pipe", "save the points in a file")
     try:
         # Line endings of any system.
-        lines = content(path, LARGEST_FILE).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n").split("\n")
+        lines = read_bytes(path, LARGEST_FILE).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n").split("\n")
     except OSError as error:
         why = error.strerror or "unreadable"
-        reason = f"{legible(path.name)}: {why[:1].lower()}{why[1:]}"
+        reason = f"{printable_name(path.name)}: {why[:1].lower()}{why[1:]}"
         remedy = _FEWER_POINTS if error.errno == errno.EFBIG else "check it"
         raise InputError("path", str(path), f"name a file that can be read ({reason})", remedy) from None
     except ValueError:  # not text, or an impossible file name
@@ -235,7 +235,7 @@ def _read(path: Path) -> list[tuple[float, float]]:
             continue
         cells = _cells(written)
         values = [_value(cell) for cell in cells]
-        place = f"line {number} of {legible(path.name)}"
+        place = f"line {number} of {printable_name(path.name)}"
         if header_allowed and all(value is None for value in values):
             _check_header(place, written)
         elif len(points) < MOST_POINTS:

@@ -56,7 +56,7 @@ class UniformPressure(Formula):
         return (-0.5 * self.length, 0.5 * self.length)
 
 
-@kind(by_drop=("load",), of_body={"length": "land", "radius": "radius"}, together=(line_contact,))
+@kind(by_drop=("load",), of_body={"length": "land", "radius": "radius"}, cross_checks=(line_contact,))
 def lundberg(
     load: Annotated[float, LOAD],
     length: Annotated[float, LENGTH],

@@ -24,7 +24,7 @@ from nonhertz.files.profiles import profile_tables
 from nonhertz.files.reading import read
 from nonhertz.files.sections import Bodies, surroundings
 from nonhertz.hertz import half_space_line_compression, line_contact
-from nonhertz.inputs.units import in_unit
+from nonhertz.inputs.units import to_unit
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
 
@@ -194,7 +194,7 @@ def of_body(given: Mapping[str, Any]) -> dict[str, Range]:
 def size_of(name: str, value: Any) -> float:
     """Return the size of a dimension [mm]; zero where it is not a plain one."""
     try:
-        size = in_unit(name, value, "mm")
+        size = to_unit(name, value, "mm")
     except InputError:
         return 0.0
     return abs(size) if isinstance(size, float) and math.isfinite(size) else 0.0

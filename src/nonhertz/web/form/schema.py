@@ -13,7 +13,7 @@ from nonhertz.files.documents import parsed
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.schemas import schema_of
 from nonhertz.files.sections import CaseDocument
-from nonhertz.inputs.fields import OneOrTwo, Part
+from nonhertz.inputs.descriptions import OneOrTwo, Part
 
 Schema = dict[str, Any]
 
