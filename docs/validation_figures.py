@@ -24,9 +24,10 @@ from claims import (
     whole_roller,
 )
 from nonhertz.bodies.depths import plane_strain_depth
+from nonhertz.figures.comparison import compared_methods
 from nonhertz.life import assess, ioannides_harris, lundberg_palmgren, weibull, zaretsky
 from nonhertz.plot.contact_area import footprint
-from nonhertz.plot.side_by_side import draw_differences
+from nonhertz.plot.drawer import draw_panel
 from nonhertz.plot.style import COLOUR_MAP, END_DASHES, FAINT_INK, FIRST, INK, LINE, PALE, SECOND, SMALL_SIZE, THIN
 from nonhertz.solver.one import solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
@@ -189,7 +190,8 @@ def draw_plane_grid(figure: Figure) -> None:
     cases = plane_grid.CASES
     panels = figure.subplots(-(-len(cases) // 2), 2).ravel()
     for axes, case in zip(panels, cases, strict=False):
-        draw_differences(plane_grid.compared(case), axes)
+        compared = compared_methods(plane_grid.compared(case))
+        draw_panel(compared.panels[1], compared, axes)
         axes.set_title(case.name, loc="left", fontsize=SMALL_SIZE)
         axes.set_xlabel("y (mm)")
         axes.set_ylabel("difference (%)" if axes.get_subplotspec().is_first_col() else "")

@@ -13,7 +13,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 CELLS = ["--cells", "24", "48"]
-FILES = {"comparison.json", "comparison.csv", "comparison.svg", "comparison.png"}
+FILES = {"comparison.json", "comparison.csv", "comparison-figure.csv", "comparison.svg", "comparison.png"}
 
 
 @pytest.fixture

@@ -15,6 +15,7 @@ import nonhertz as nh
 from nonhertz import plot
 from nonhertz.comparison import ComparedQuantity
 from nonhertz.comparison.value import differences
+from nonhertz.figures.comparison import compared_methods
 from nonhertz.files.comparisons import as_object, as_table
 from nonhertz.files.results import key_by_key
 from nonhertz.result.edges import EdgeKind
@@ -210,3 +211,38 @@ def test_nothing_on_the_sheet_overlaps_or_leaves_the_paper(found, name):
     assert len(cuts) == 3
     assert all(axes.has_data() for axes in sheet.axes)
     assert upper.get_xlim() == slim.get_xlim()
+    assert upper.get_position().x0 == pytest.approx(slim.get_position().x0)
+    assert [text.get_text() for text in upper.get_legend().get_texts()] == [
+        *(mark.name for mark in compared_methods(found[name]).panels[0].marks if mark.name)
+    ]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_figure_has_the_numbers_of_all_methods(found, name):
+    compared = found[name]
+    figure = compared_methods(compared)
+    along, differences, *cuts = figure.panels
+    _, semi, parabola = (mark for mark in along.marks if mark.name)
+    for drawn, solution in ((semi, compared.semi_elliptic), (parabola, compared.parabolic)):
+        pressed = solution.line_load > 0.0
+        assert drawn.name.startswith(f"{solution.strips} {solution.element.name} strips, ")
+        assert (drawn.x.tolist(), drawn.y.tolist()) == (
+            solution.y[pressed].tolist(),
+            solution.centre_pressure[pressed].tolist(),
+        )
+    of_semi = next(mark for mark in differences.marks if mark.name == semi.name)
+    assert_allclose(of_semi.y, np.clip(compared.along(compared.semi_elliptic), -1.0, 1.0))
+    for cut, station in zip(cuts, compared.stations, strict=True):
+        *shapes, cells = cut.marks
+        x, pressure = compared.patch.across(station.y)
+        assert np.isin(x[pressure > 0.0], cells.x).all()
+        assert cells.y.max() == pressure.max()
+        for shape, solution in zip(shapes, compared.strips, strict=True):
+            # Over the width the shape bears the load of the strips.
+            load = np.interp(station.y, solution.y, solution.line_load)
+            assert np.trapezoid(shape.y, shape.x) == pytest.approx(load, rel=2e-3)
+    head, *rows = csv.reader(io.StringIO(figure.to_csv()))
+    assert head == ["panel", "line", "y [mm] or x [mm]", "value", "unit"]
+    assert {row[0] for row in rows} == {"pressure", "difference", "across A", "across B", "across C"}
+    assert {row[1] for row in rows} == {mark.name for mark in along.marks if mark.name}
+    assert "at most" in figure.description

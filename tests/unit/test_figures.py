@@ -257,8 +257,16 @@ def test_cases_over_each_other_have_colours_and_dashes_of_their_own():
     crown = nh.Roller(diameter=10, length=10, profile=nh.profile.crown(radius=500))
     contact = nh.Contact(crown, nh.Plate())
     found = {str(load): nh.solve(contact, load=load) for load in (100.0, 200.0, 400.0)}
-    upper, *_ = compared_contacts(found).panels
+    figure = compared_contacts(found)
+    upper, *_ = figure.panels
     lines = [mark for mark in upper.marks if isinstance(mark, Line)]
     assert [line.name for line in lines] == ["1  100.0", "2  200.0", "3  400.0"]
     assert [(line.colour, line.dash) for line in lines] == [*SERIES[:3]]
     assert upper.upright.range[1] > max(each.max_pressure for each in found.values())
+    rows = list(csv.reader(figure.to_csv().splitlines()))[1:]
+    named = {(panel, line.name) for panel in ("pressure", "half-width", "separation") for line in lines}
+    assert {(row[0], row[1]) for row in rows} == named
+    sheet = sheet_of(figure)
+    legends = [ax.get_legend() for ax in sheet.axes]
+    assert [text.get_text() for text in legends[0].get_texts()] == [line.name for line in lines]
+    assert legends[1:] == [None, None]

@@ -71,12 +71,12 @@ def pressure(solution: Solution) -> Figure:
     cut = bool(solution.singular_ends)
     top = (BEYOND if cut else ROOM_ABOVE) * solution.max_pressure or 1.0
     marks = [
-        *_ends_of_bodies(solution),
+        *ends_of_bodies(solution),
         Steps(solution.edges, solution.centre_pressure),
         Line(lines.y, lines.pressure, name="pressure p₀"),
         *_contact(solution, top),
         *_largest(solution),
-        *(_unlimited(solution, edge, top) for edge in unlimited_ends(solution)),
+        *(unlimited_pressure(solution, edge, top) for edge in unlimited_ends(solution)),
     ]
     upper = Panel(
         "pressure",
@@ -93,7 +93,7 @@ def pressure(solution: Solution) -> Figure:
         "Half-width",
         Axis("Half-width b", "b", "mm", range=(0.0, ROOM * widest or 1.0)),
         [
-            *_ends_of_bodies(solution, named=False),
+            *ends_of_bodies(solution, named=False),
             Line(lines.y, lines.half_width, name="half-width b", colour="second", dash="dashed"),
         ],
         f"Half-width along y: at most {mm(widest):3}.",
@@ -109,7 +109,7 @@ def footprint(solution: Solution) -> Figure:
     """Return the contact area as `nonhertz.plot.footprint` draws it."""
     pieces, limit = outlines(solution), element_peak(solution)
     parabolic = solution.element.name == PARABOLIC.name
-    marks: list[Mark] = [Level(0.0, colour="faint", dash="ends"), *_ends_of_bodies(solution, named=False)]
+    marks: list[Mark] = [Level(0.0, colour="faint", dash="ends"), *ends_of_bodies(solution, named=False)]
     for piece in pieces:
         marks.append(Area(piece.y, piece.half_width, piece.pressure, 1.0 if parabolic else 0.5))
         if parabolic:
@@ -165,7 +165,7 @@ def distance(solution: Solution) -> Figure:
             for number, ends in enumerate(solution.contact_y)
         ),
         Level(0.0, colour="faint"),
-        *_ends_of_bodies(solution),
+        *ends_of_bodies(solution),
         Line(solution.y, before, name="undeformed", colour="second", dash="dashed"),
         Line(solution.y, after, name="deformed"),
         Band(solution.y, before, after, name="elastic displacement"),
@@ -202,7 +202,7 @@ def _along(solution: Solution) -> Axis:
     return Axis("Axial position y", "y", "mm", range=axial_range(solution))
 
 
-def _ends_of_bodies(solution: Solution, *, named: bool = True) -> Iterator[Mark]:
+def ends_of_bodies(solution: Solution, *, named: bool = True) -> Iterator[Mark]:
     """Yield a line at each end of a body that is near."""
     for end, name in ends_in_sight(solution).items():
         yield Across(end, name if named else "", colour="faint", dash="ends")
@@ -254,7 +254,7 @@ def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour
         yield Words(y, at, "no limit", "left" if low else "right", colour=several[0] if len(several) == 1 else "ink")
 
 
-def _unlimited(solution: Solution, edge: EdgePressure, top: float) -> Mark:
+def unlimited_pressure(solution: Solution, edge: EdgePressure, top: float) -> Mark:
     """Return how the pressure grows towards an end where it has no limit, clear of the curve that climbs there."""
     words = "no limit at a corner"
     if edge.law:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from nonhertz.amounts import mpa
+from nonhertz.amounts import amount, mpa
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.contact import land_ends, no_limits
 from nonhertz.figures.value import SERIES, Axis, Figure, Level, Line, Mark, Panel, Points
@@ -23,38 +24,51 @@ HIGH, LOW = 230, 150
 
 def compared_contacts(solutions: Mapping[str, Solution]) -> Figure:
     """Return pressures and half-widths of solutions by name, and the separations of their bodies before loading."""
-    pressures, widths, separations = list[Mark](), list[Mark](), list[Mark]([Level(0.0, colour="faint")])
-    deepest = []
-    sharp = any(solution.singular_ends for solution in solutions.values())
-    top = (BEYOND if sharp else ROOM) * max(solution.max_pressure for solution in solutions.values()) or 1.0
-    for (name, solution), look in zip(_numbered(solutions), _looks(solutions), strict=True):
-        lines = contact_lines(solution)
-        separation = solution.contact.separation(solution.y)
-        separation = np.where(np.isfinite(separation), separation, np.nan)
-        deepest.append(float(np.nanmax(separation[solution.line_load > 0.0], initial=0.0)))
-        pressures.append(Line(lines.y, lines.pressure, name=name, **look))
-        widths.append(Line(lines.y, lines.half_width, **look))
-        separations.append(Line(solution.y, separation, **look))
-        pressures += land_ends(solution, look["colour"])
-    pressures += no_limits([*solutions.values()], NO_LIMIT * top, [look["colour"] for look in _looks(solutions)])
+    several = [*zip(solutions.values(), _looks(solutions), strict=True)]
+    half_widths = [
+        Line(lines.y, lines.half_width, **look)
+        for lines, look in ((contact_lines(solution), look) for solution, look in several)
+    ]
     widest = max(float(solution.half_width.max()) for solution in solutions.values())
-    least = min(float(np.nanmin(mark.y)) for mark in separations if isinstance(mark, Line))
-    # Beyond the contact a relief may rise to tenths of a millimetre.
-    distances = (min(0.0, least) - 0.15 * max(deepest), BEYOND * max(deepest) or 1.0)
-    largest = " and ".join(f"{name} {mpa(solution.max_pressure):.4g}" for name, solution in solutions.items())
-    words = f"Pressures on the centre line: at most {largest}."
-    gap = Axis("Separation", "separation", "mm", "um", distances, cut=True)
+    width = Axis("Half-width b", "b", "mm", range=(0.0, ROOM * widest or 1.0))
     panels = [
-        Panel("pressure", "Pressure", Axis("Pressure p₀", "p₀", "MPa", range=(0.0, top), cut=sharp), pressures, words,
-              height=HIGH),
-        Panel("half-width", "Half-width", Axis("Half-width b", "b", "mm", range=(0.0, ROOM * widest or 1.0)), widths,
-              "Half-widths along y.", height=LOW),
-        Panel("separation", "Separation", gap, separations, "Separations of the bodies before loading.", height=LOW),
-    ]  # fmt: skip
+        _pressures(solutions),
+        Panel("half-width", "Half-width", width, half_widths, "Half-widths along y.", height=LOW),
+        _separations(several),
+    ]
     ends = [axial_range(solution) for solution in solutions.values()]
     span = min(low for low, _ in ends), max(high for _, high in ends)
     caption = "Centre-line pressure and half-width along the contacts, and the separation before loading."
     return Figure(Axis("Axial position y", "y", "mm", range=span), panels, caption=caption)
+
+
+def _pressures(solutions: Mapping[str, Solution]) -> Panel:
+    looks, marks = _looks(solutions), list[Mark]()
+    cut = any(solution.singular_ends for solution in solutions.values())
+    top = (BEYOND if cut else ROOM) * max(solution.max_pressure for solution in solutions.values()) or 1.0
+    for solution, look in zip(solutions.values(), looks, strict=True):
+        lines = contact_lines(solution)
+        marks += [Line(lines.y, lines.pressure, **look), *land_ends(solution, look["colour"])]
+    marks += no_limits([*solutions.values()], NO_LIMIT * top, [look["colour"] for look in looks])
+    largest = " and ".join(f"{name} {mpa(solution.max_pressure):.4g}" for name, solution in solutions.items())
+    words = f"Pressures on the centre line: at most {largest}."
+    return Panel("pressure", "Pressure", Axis("Pressure p₀", "p₀", "MPa", range=(0.0, top), cut=cut), marks, words,
+                 height=HIGH)  # fmt: skip
+
+
+def _separations(several: Sequence[tuple[Solution, dict[str, Any]]]) -> Panel:
+    lines, deepest = list[Line](), 0.0
+    for solution, look in several:
+        separation = solution.contact.separation(solution.y)
+        separation = np.where(np.isfinite(separation), separation, np.nan)
+        deepest = max(deepest, float(np.nanmax(separation[solution.line_load > 0.0], initial=0.0)))
+        lines.append(Line(solution.y, separation, **look))
+    least = min(float(np.nanmin(line.y)) for line in lines)
+    # Beyond the contact a relief may rise to tenths of a millimetre.
+    distances = (min(0.0, least) - 0.15 * deepest, BEYOND * deepest or 1.0)
+    gap = Axis("Separation", "separation", "mm", "um", distances, cut=True)
+    words = "Separations of the bodies before loading."
+    return Panel("separation", "Separation", gap, [Level(0.0, colour="faint"), *lines], words, height=LOW)
 
 
 def all_pressed(solutions: Mapping[str, BearingSolution]) -> bool:
@@ -77,7 +91,7 @@ def _around(solutions: Mapping[str, BearingSolution], name: str, axis: Axis) -> 
     """Return numbers of rollers over their angle, a line for each row."""
     marks: list[Mark] = []
     largest = {title: float(getattr(solution, name)[:, 0].max()) for title, solution in solutions.items()}
-    for (words, solution), look in zip(_numbered(solutions), _looks(solutions), strict=True):
+    for solution, look in zip(solutions.values(), _looks(solutions), strict=True):
         angles, values = [], []
         for row in range(len(solution.bearing.rows)):
             these = solution.rollers_of(row)
@@ -86,21 +100,19 @@ def _around(solutions: Mapping[str, BearingSolution], name: str, axis: Axis) -> 
             angles += [*angle[order], np.nan]
             values += [*getattr(solution, name)[these, 0][order], np.nan]
         along, upright = np.array(angles), np.array(values)
-        marks.append(Line(along, upright, name=words if name == "load" else "", **look))
+        marks.append(Line(along, upright, **look))
         marks.append(Points(along, upright, symbol="dot", colour=look["colour"]))
     top = ROOM * max(largest.values()) or 1.0
     upright_axis = Axis(axis.label, axis.symbol, axis.unit, range=(0.0, top))
-    words = " and ".join(f"{upright_axis.symbol} {value:.4g} {axis.unit} of {name}" for name, value in largest.items())
-    return Panel(name, axis.label, upright_axis, marks, f"{axis.label} over the angle of the roller: at most {words}.",
-                 height=HIGH)  # fmt: skip
-
-
-def _numbered(solutions: Mapping[str, Any]) -> list[tuple[str, Any]]:
-    """Return names with a number: of a file's name the first underscore would hide it."""
-    return [(f"{number}  {name}", solution) for number, (name, solution) in enumerate(solutions.items(), start=1)]
+    words = " and ".join(f"{amount([value], axis.unit):.4g} of {title}" for title, value in largest.items())
+    description = f"{axis.label} over the angle of the roller: at most {words}."
+    return Panel(name, axis.label, upright_axis, marks, description, height=HIGH)
 
 
 def _looks(solutions: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return name, colour and dashes of each; with a number, as the first underscore would hide a file's name."""
+    looks = itertools.cycle(SERIES)
     return [
-        dict(zip(("colour", "dash"), SERIES[number % len(SERIES)], strict=True)) for number in range(len(solutions))
+        {"name": f"{number}  {name}", "colour": colour, "dash": dash}
+        for number, (name, (colour, dash)) in enumerate(zip(solutions, looks, strict=False), start=1)
     ]

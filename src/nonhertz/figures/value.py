@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 Colour = Literal["first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"]
 Dash = Literal["solid", "dashed", "chain", "dotted", "long", "mixed", "ends", "none"]
 Side = Literal["left", "center", "right"]
-Symbol = Literal["circle", "diamond", "triangle", "dot"]
+Symbol = Literal["circle", "diamond", "triangle", "cross", "dot"]
 Range = tuple[float, float]
 
 SERIES: tuple[tuple[Colour, Dash], ...] = (
@@ -259,6 +259,8 @@ class Axis:
         Places with their words; chosen by who draws if left out.
     logarithmic : bool
         Whether equal lengths are equal ratios.
+    linear : float
+        On both sides of zero, up to which an axis is linear that is logarithmic beyond; neither if zero.
     categories : tuple of str
         Words in place of the numbers 0, 1, 2 and so on.
     """
@@ -271,6 +273,7 @@ class Axis:
     cut: bool = False
     ticks: tuple[tuple[float, str], ...] = ()
     logarithmic: bool = False
+    linear: float = 0.0
     categories: tuple[str, ...] = ()
 
     @property
@@ -348,13 +351,16 @@ class Panel:
         """The rows of `Figure.to_csv`."""
         for mark in self.marks:
             # Points on a circle mark rollers.
-            numbers = () if self.round and isinstance(mark, Points) else mark.numbers
-            colours = self.colours if len(numbers) > 2 else None
-            axis = colours or self.upright
-            rest = [None, None] if self.colours and not colours else [axis.unit]
-            for row in zip(*(values.tolist() for values in numbers), strict=True):
-                cells = (number if math.isfinite(number) else None for number in row)
-                yield [self.name, mark.name or axis.symbol, *cells, *rest]
+            if not (self.round and isinstance(mark, Points)):
+                yield from self._rows_of(mark)
+
+    def _rows_of(self, mark: Mark) -> Iterator[list[Any]]:
+        numbers = mark.numbers
+        colours = self.colours if len(numbers) > 2 else None
+        axis = colours or self.upright
+        rest = [None, None] if self.colours and not colours else [axis.unit]
+        for row in zip(*(values.tolist() for values in numbers), strict=True):
+            yield [self.name, mark.name or axis.symbol, *_plain(row), *rest]
 
 
 @dataclass(frozen=True, eq=False)
@@ -392,7 +398,8 @@ class Figure:
         an empty cell.
         """
         upright = next((panel.upright for panel in self.panels if panel.colours), None)
-        places = [heading(axis.symbol, axis.unit) for axis in (self.along, upright) if axis]
+        along = {heading(axis.symbol, axis.unit): None for axis in (panel.along or self.along for panel in self.panels)}
+        places = [" or ".join(along), *([heading(upright.symbol, upright.unit)] if upright else [])]
         rows = (row for panel in self.panels for row in panel.rows)
         return csv_text(["panel", "line", *places, "value", "unit"], rows)
 

@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from nonhertz.comparison import Comparison
+from nonhertz.figures.comparison import compared_methods
 from nonhertz.files import results
 from nonhertz.files.results import Get, Key, ListOf, key_by_key, plain, quantity_keys, within
 from nonhertz.result.quantities import ALONG
@@ -96,5 +97,9 @@ def as_table(compared: Comparison) -> str:
 
 
 def files(compared: Comparison, title: str) -> dict[str, str]:
-    """Return the texts of comparison.json and comparison.csv, by file name."""
-    return {"comparison.json": key_by_key(as_object(compared, title)) + "\n", "comparison.csv": as_table(compared)}
+    """Return the texts of comparison.json, comparison.csv and the numbers of the figure, by file name."""
+    return {
+        "comparison.json": key_by_key(as_object(compared, title)) + "\n",
+        "comparison.csv": as_table(compared),
+        "comparison-figure.csv": compared_methods(compared).to_csv(),
+    }

@@ -31,12 +31,12 @@ if TYPE_CHECKING:
     from nonhertz.plot.fatigue import life_density as life_density
     from nonhertz.plot.fatigue import life_figure as life_figure
     from nonhertz.plot.finished import bearing_figures as bearing_figures
+    from nonhertz.plot.finished import comparison as comparison
     from nonhertz.plot.finished import draw as draw
     from nonhertz.plot.finished import figures as figures
     from nonhertz.plot.measured import measured_figure as measured_figure
     from nonhertz.plot.sheets import save as save
     from nonhertz.plot.sheets import save_all as save_all
-    from nonhertz.plot.side_by_side import comparison as comparison
     from nonhertz.plot.subsurface import axial_stress as axial_stress
     from nonhertz.plot.subsurface import section_stress as section_stress
     from nonhertz.plot.subsurface import stress_figures as stress_figures
@@ -52,10 +52,9 @@ __getattr__, __dir__ = door(
         "centre_line": ("pressure", "profile"),
         "contact_area": ("footprint",),
         "fatigue": ("dent_figure", "life_density", "life_figure"),
-        "finished": ("bearing_figures", "draw", "figures"),
+        "finished": ("bearing_figures", "comparison", "draw", "figures"),
         "measured": ("measured_figure",),
         "sheets": ("save", "save_all"),
-        "side_by_side": ("comparison",),
         "subsurface": ("axial_stress", "section_stress", "stress_figures", "stress_planes"),
     },
 )

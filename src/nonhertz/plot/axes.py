@@ -95,15 +95,6 @@ def open_frame(*several: Axes) -> None:
         axes.spines[["top", "right"]].set_visible(False)
 
 
-def along(ax: Axes, span: tuple[float, float], *, labelled: bool = True, labelpad: float | None = None) -> None:
-    """Set the axis along a contact to a range of y [mm]."""
-    drawn = measure("mm")
-    ax.locator_params(axis="x", steps=ROUND)
-    ax.set_xlim(*drawn(span))
-    if labelled:
-        ax.set_xlabel(drawn.label("Axial position $y$"), labelpad=labelpad)
-
-
 def key_above(
     ax: Axes,
     handles: Sequence[Artist] | None = None,

@@ -4,38 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-import numpy as np
-
-from nonhertz.amounts import Amount, format_input, mm
-from nonhertz.plot.axes import Alignment, Axes, measure, note
-from nonhertz.plot.style import BACKING, END_DASHES, FAINT_INK, INK, SMALL_SIZE, THIN
-from nonhertz.result.along import axial_range, ends_in_sight, unlimited_ends
-from nonhertz.result.solution import Solution
+from nonhertz.amounts import Amount, format_input
+from nonhertz.plot.axes import Alignment, Axes, note
+from nonhertz.plot.style import SMALL_SIZE
 
 LETTER = 0.55 * SMALL_SIZE / 72.0
 """Mean width of a small letter [inch]."""
-
-
-def draw_body_ends(solution: Solution, ax: Axes, *, named: bool = True) -> None:
-    """Draw a dash-dot line where a body ends, its name beside it on the side away from the contact."""
-    middle, length = 0.5 * sum(axial_range(solution)), measure("mm")
-    for end, name in ends_in_sight(solution).items():
-        at = float(length(end))
-        ax.axvline(at, color=FAINT_INK, linewidth=THIN, linestyle=END_DASHES, zorder=1.5)
-        if named and name:
-            side = _side(end > middle)
-            note(ax, name, (at, 0.5), side, 3.0, across=True, rotation=90.0, va="center", color=FAINT_INK)
-
-
-def mark_unlimited(solution: Solution, ax: Axes) -> None:
-    """Write "no limit" at every end where the pressure has none, on the side of the contact."""
-    for edge in unlimited_ends(solution):
-        at, side = (float(measure("mm")(edge.y)), 0.98), _side(edge is solution.edge_pressure[0])
-        note(ax, "no limit", at, side, 6.0, across=True, va="top", color=INK, bbox=BACKING)
-
-
-def _side(to_the_right: bool) -> Alignment:
-    return "left" if to_the_right else "right"
 
 
 def number(value: float, digits: int = 4) -> str:
@@ -54,20 +28,11 @@ def written(found: Amount, digits: int = 4) -> str:
 
     Examples
     --------
-    >>> from nonhertz.amounts import mpa
+    >>> from nonhertz.amounts import mm, mpa
     >>> written(mpa(2431.7)), written(mm(-1.5, 0.25, between=" and "))
     ('2432 MPa', '−1.5 and 0.25 mm')
     """
     return f"{found:.{digits}g}".replace("-", "−")
-
-
-def place(span: tuple[float, float], *y: float, between: str = " and ") -> str:
-    """Return positions [mm] with as many decimals as the drawn ``span`` can show, and their unit."""
-    factor, unit = mm().scale
-    decimals = max(0, 2 - int(np.floor(np.log10(factor * (span[1] - span[0])))) + 1)
-    texts = (f"{factor * each:.{decimals}f}" for each in y)
-    shown = ((text[1:] if float(text) == 0.0 and text.startswith("-") else text).replace("-", "−") for text in texts)
-    return f"{between.join(shown)} {unit}"
 
 
 def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:

@@ -42,7 +42,8 @@ TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of 
 DOTS: Final = 100.0  # of a screen, in an inch
 HEAD: Final = 0.36  # inch, above each panel, for its legend
 EDGE, AROUND = 0.1, 0.75  # inch: to the left of a title over rows of panels, and for what is around the panels of a row
-TICKS, TICKS_BESIDE = 10, 5  # at most, of a panel that is as wide as the page and of others
+LINEAR_PART: Final = 0.9  # decades, that each half of the linear part of an axis takes
+TICKS = 10  # at most, of a panel that is as wide as the page
 LETTERS: Final = 96  # of the conditions, that fit in a line
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 
@@ -63,18 +64,19 @@ def _laid_out(figure: Figure, title: str) -> Sheet:
     if first.proportional:
         return _proportional_sheet(figure, title)
     words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
-    heights = [panel.height / DOTS for panel in figure.panels]
+    heights, keys = [panel.height / DOTS for panel in figure.panels], _keys(figure.panels)
     if first.colours:
         sheet, axes = stacked([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
         draw_colour_bar(first, axes[-1], cax=bar_beside(*axes, most=2.0 * heights[0] + HEAD))
     else:
-        rows = [max(map(len, _columns_of_key([panel], WIDTH - LEFT - MARGIN)), default=1) for panel in figure.panels]
+        rows = [max(map(len, _columns_of_key(key, WIDTH - LEFT - MARGIN)), default=1) for key in keys]
         sheet, axes = stacked([HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words))
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
         if panel.colours:
             entitle(panel, ax)
-        draw_key([panel], ax)
+    for place, key in enumerate(keys):
+        draw_key(key, *axes[place:])
     return sheet
 
 
@@ -96,6 +98,8 @@ def _lines(words: str) -> list[str]:
 
 def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     """Return a sheet of rows of panels beside each other; what is around them decides how large they are."""
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
     rows: list[list[Panel]] = []
     for panel in figure.panels:
         if panel.beside:
@@ -105,29 +109,45 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     heights = [max(panel.height for panel in row) / DOTS for row in rows]
     height = sum(heights) + AROUND * len(rows)
     drawn = sheet(height, title, _lines(figure.conditions), EDGE)
-    drawn.set_layout_engine("constrained", rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
+    layout = ConstrainedLayoutEngine(rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
+    drawn.set_layout_engine(layout)
     columns = math.lcm(*map(len, rows))
     grid = drawn.add_gridspec(len(rows), columns, height_ratios=heights)
+    several = []
     for place, row in enumerate(rows):
         width = columns // len(row)
+        # An axis along is labelled where the row below has another.
+        last = row is rows[-1] or rows[place + 1][0].along is not row[0].along
         for column, panel in enumerate(row):
-            ax = drawn.add_subplot(grid[place, width * column : width * (column + 1)])
-            draw_framed(panel, figure, ax, most=TICKS if len(row) == 1 else TICKS_BESIDE)
+            several.append(drawn.add_subplot(grid[place, width * column : width * (column + 1)]))
+            draw_panel(panel, figure, several[-1], last=last, most=TICKS // len(row))
+            if column and panel.upright.title() == row[0].upright.title():
+                several[-1].set_ylabel("")
+    # Legends and headings fit into the width that is left to the panels.
+    layout.execute(drawn)
+    for place, (panel, key) in enumerate(zip(figure.panels, _keys(figure.panels), strict=True)):
+        _frame(panel, figure, key, *several[place:])
     return drawn
 
 
 def draw_framed(panel: Panel, figure: Figure, ax: Axes, *, most: int | None = None) -> Axes:
     """Draw a panel with all that belongs to it around it: heading, legend, remark below and colour bar beside."""
     draw_panel(panel, figure, ax, most=most)
+    return _frame(panel, figure, [panel], ax)
+
+
+def _frame(panel: Panel, figure: Figure, key: Sequence[Panel], *several: Axes) -> Axes:
+    """Draw what is around a panel on the first axes; its legend is of these panels on all axes."""
+    ax = several[0]
     # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     ax.tick_params(labelsize=style.SIZE)
     if panel.remark:
         ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(panel.remark)}")
     factor = (panel.along or figure.along).scale[0]
     above = [(factor * mark.x, mark.words) for mark in panel.marks if isinstance(mark, Across) and mark.above]
-    rows = draw_key([panel], ax) + write_above(above, ax, ROW_OF_KEY)
+    rows = draw_key(key, *several) + write_above(above, ax, ROW_OF_KEY)
     if panel.heading:
-        ax.set_title(panel.heading, loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * rows)
+        ax.set_title(typeset(panel.heading), loc="left", pad=TITLE_ABOVE + ROW_OF_KEY * rows)
     if panel.colours:
         draw_colour_bar(panel, ax, ax=ax)
     return ax
@@ -226,6 +246,10 @@ def _set_axis(axis: Axis, letter: str, ax: Axes, *, auto: bool | None) -> None:
     factor, words = axis.scale[0], axis.categories
     if axis.logarithmic:
         ax.set(**{f"{letter}scale": "log"})
+    if axis.linear:
+        drawn = {"x": ax.xaxis, "y": ax.yaxis}[letter]
+        getattr(ax, f"set_{letter}scale")("symlog", linthresh=factor * axis.linear, linscale=LINEAR_PART)
+        drawn.set_major_formatter(lambda value, _: number(value))
     if words:
         ends = -0.5, len(words) - 0.5
         ax.set(**{f"{letter}ticks": range(len(words)), f"{letter}ticklabels": words})
@@ -260,13 +284,19 @@ def draw_colour_bar(panel: Panel, ax: Axes, /, **where: Any) -> None:
     ax.figure.colorbar(bar, label=colours.title(), extend="max" if colours.cut else "neither", **where)
 
 
+def _keys(panels: Sequence[Panel]) -> list[Sequence[Panel]]:
+    """Return the panels that each one's legend is of: all of them in the first if that has all names."""
+    first, *others = [{mark.name for mark in panel.marks if mark.name} for panel in panels]
+    if all(first >= names for names in others):
+        return [panels, *[()] * len(others)]
+    return [[panel] for panel in panels]
+
+
 def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
     """Write the legend of panels, drawn on these axes, above the first of them; return its rows."""
     from matplotlib.lines import Line2D
 
-    ax, drawn = several[0], dict[str, Any]()
-    for axes in several:
-        drawn |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    ax, drawn = several[0], _samples(panels, several)
     columns = _columns_of_key(panels, ax.bbox.width / ax.figure.dpi)
     rows = max(map(len, columns), default=0)
     if not rows:
@@ -277,6 +307,18 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
     narrow = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
     key_above(ax, samples, words, columns=len(columns), **({"handlelength": 2.2} if rows == 1 else narrow))
     return rows
+
+
+def _samples(panels: Sequence[Panel], several: Sequence[Axes]) -> dict[str, Any]:
+    """Return by name what is drawn of panels on axes: of a name that has lines and points, one on the other."""
+    drawn: dict[str, dict[Any, Any]] = {}
+    for panel, ax in zip(panels, several, strict=False):
+        artists = dict(zip(*reversed(ax.get_legend_handles_labels()), strict=True))
+        for name, kind in ((typeset(mark.name), isinstance(mark, Points)) for mark in panel.marks if mark.name):
+            if name in artists:
+                drawn.setdefault(name, {}).setdefault(kind, artists[name])
+    several_of = {name: tuple(kinds[kind] for kind in sorted(kinds)) for name, kinds in drawn.items()}
+    return {name: artists if len(artists) > 1 else artists[0] for name, artists in several_of.items()}
 
 
 def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:

@@ -1,4 +1,4 @@
-"""What is drawn of a contact and of a whole bearing: by name, and as finished figures for the width of a page."""
+"""What is drawn of a contact, a whole bearing or a comparison: by name, and as finished figures as wide as a page."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Final
 
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.comparison import Comparison
 from nonhertz.errors import InputError
 from nonhertz.figures import bearing, contact
+from nonhertz.figures.comparison import compared_methods
+from nonhertz.figures.value import Figure as Values
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Axes, Figure
 from nonhertz.plot.bearing.displacement import displacement_against_load
@@ -67,8 +70,7 @@ def figures(result: Solution | BearingSolution, title: str = "", *, films: Films
     """
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title, films=films)
-    with sheet_style():
-        return {name: sheet_of(figure, title) for name, figure in contact.figures_of(result).items()}
+    return _drawn(contact.figures_of(result), title)
 
 
 def bearing_figures(
@@ -94,5 +96,31 @@ def bearing_figures(
         Keys ``"loads"``, ``"pressure"`` and ``"roller"`` (by strips, if any roller is loaded), and ``"displacement"``
         (if a force acts on the inner ring), with films ``"film"`` and ``"film-along"``; `save` writes them.
     """
+    return _drawn(bearing.figures_of(solution, maps, films), title)
+
+
+def comparison(found: Comparison, title: str = "") -> Figure:
+    """Return a sheet of strips and plane grid: pressure along the contact, its differences, and three cuts across.
+
+    The plane grid is a line, and each strip of either element a marker; differences are relative to the plane grid, on
+    an axis that is linear up to 1 % and logarithmic beyond. Across, each cell is a dot and the strips are drawn with
+    the shape they assume. Where a sharp end makes the pressure singular, the pressure axis is cut.
+
+    Parameters
+    ----------
+    found : Comparison
+        What `nonhertz.compare` returned.
+    title : str
+        Heading; none if empty.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        `save` writes it.
+    """
+    return _drawn({"": compared_methods(found)}, title)[""]
+
+
+def _drawn(values: Mapping[str, Values], title: str) -> dict[str, Figure]:
     with sheet_style():
-        return {name: sheet_of(figure, title) for name, figure in bearing.figures_of(solution, maps, films).items()}
+        return {name: sheet_of(figure, title) for name, figure in values.items()}

@@ -44,7 +44,14 @@ DASHES: Final[dict[str, Any]] = {
     "solid": "-", "dashed": "--", "chain": (0, (6, 1.5, 1.2, 1.5)), "dotted": style.HINT_DASHES, "long": (0, (8, 2)),
     "mixed": (0, (3, 1, 1, 1, 1, 1)), "ends": style.END_DASHES, "none": "none",
 }  # fmt: skip
-SYMBOLS: Final = {"circle": ("o", 4.0), "diamond": ("D", 5.0), "triangle": ("^", 4.0), "dot": (".", 4.0)}
+SYMBOLS: Final = {
+    "circle": ("o", 4.0),
+    "diamond": ("D", 5.0),
+    "triangle": ("^", 4.0),
+    "cross": ("x", 4.0),
+    "dot": (".", 4.0),
+}
+FEW, MANY = 20, 0.75  # points, of which more are smaller, and by how much
 ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
 ARROW: Final[dict[str, Any]] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
 OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox": style.BACKING}
@@ -164,6 +171,9 @@ def _(mark: Bar, pen: Pen) -> None:
 def _(mark: Points, pen: Pen) -> None:
     (marker, size), colour = SYMBOLS[mark.symbol], COLOURS[mark.colour]
     look: dict[str, Any] = {"color": colour, "markerfacecolor": colour if mark.symbol == "dot" else "white"}
+    if mark.x.size > FEW:
+        size *= MANY
+        look |= {"markeredgewidth": style.THIN}
     if pen.colours:
         # A small symbol may lie on a larger one.
         look |= {"markeredgewidth": style.THIN, "clip_on": False, "zorder": 4.0 - 0.1 * size}
