@@ -93,7 +93,7 @@ def main() -> None:
 
 
 def _page() -> Iterator[str]:
-    yield "# What strips make of a sharp end"
+    yield "# The strength of sharp ends, measured"
     yield ""
     yield "Written by `docs/end_study.py`; do not edit. What it means is in [the theory](singular-ends.md#sharp-ends)."
     yield ""

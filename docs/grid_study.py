@@ -98,7 +98,7 @@ def main() -> None:
 
 
 def _head() -> Iterator[str]:
-    yield "# What grids cost in accuracy"
+    yield "# Errors of the automatic grid, measured"
     yield ""
     yield "Written by `docs/grid_study.py`; do not edit. What it means is in [grid.md](grid.md)."
     yield "Errors are relative, in millionths (ppm), positive where strips give too much; 1000 ppm are 0.1 %."

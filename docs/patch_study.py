@@ -58,7 +58,7 @@ def _example(name: str) -> Any:
 
 
 def _head() -> Iterator[str]:
-    yield "# What cells cost, and what they give"
+    yield "# Errors and cost of the plane grid, measured"
     yield ""
     yield "Written by `docs/patch_study.py`; do not edit. What it means is in [patch.md](patch.md)."
     yield f"Times are from one thread of a machine with {os.cpu_count()} cores ({platform.machine()}), from cold and"

@@ -1,6 +1,6 @@
 """
-What do measured profiles make of a bearing?
-============================================
+How do measured profiles affect a bearing?
+==========================================
 
 ISO 16281 takes a logarithm for granted; the grinding machine has the last word. NU 206 under 10 kN with rollers of the
 standard's profile, and with two rollers and a raceway as they were measured. All contacts are solved by strips.
@@ -85,7 +85,7 @@ with sheet_style():
 # %%
 # Pressures and lives
 # -------------------
-# All rollers of a bearing are taken to be alike. The measured ones drop off sooner, so that less of them bears the
+# All rollers of a bearing are taken to be equal. The measured ones drop off sooner, so that less of their length carries the
 # load, at a higher pressure, and they last shorter. A tilt of the rings brings no peak at the ends of any. L10r is that
 # of the laminae of ISO/TS 16281 with these pressures.
 

@@ -1,6 +1,6 @@
 """
-Which profile bears the misalignment of a whole bearing?
-========================================================
+Which profile tolerates the misalignment of a whole bearing?
+============================================================
 
 Shafts bend and housings are bored askew, and the life of a cylindrical roller bearing falls. How fast depends on the
 profile of its rollers. NU 206 under 6 kN, its rings tilted against each other by up to 3 mrad, with four profiles:
@@ -70,7 +70,8 @@ def at_all_tilts(values, label):
 # -------------------------
 # L10r of ISO/TS 16281, with the solved pressures at the ends of the rollers in place of the standard's edge function;
 # every contact is solved by strips. The straight rollers pay for the pressure at their corners before anything tilts.
-# The crown takes most tilt before it minds, but its middle bears too much: the logarithm outlives it throughout. The
+# The crown tolerates most tilt before its life drops, but its middle carries too much: the logarithm outlives it
+# throughout. The
 # partial crown is better than both up to 1.5 mrad, and falls faster. A catalogue's L10 knows neither profile nor tilt
 # (thin line).
 

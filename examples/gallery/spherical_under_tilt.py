@@ -1,9 +1,9 @@
 """
-What does a spherical roller bearing make of a tilt?
-====================================================
+How does a spherical roller bearing respond to misalignment?
+============================================================
 
 Nothing: it turns about the middle of its outer raceway, which is part of a sphere. A cylindrical roller bearing
-resists. Here both have a bore of 30 mm, an outside diameter of 62 mm and 8 kN to bear; the rings are tilted against
+resists. Here both have a bore of 30 mm, an outside diameter of 62 mm and a load of 8 kN; the rings are tilted against
 each other by up to 3 mrad. The cylindrical one is an NU 206; the inside of the other, two rows of 15 barrels, is a
 guess of the usual size. Everything is solved by strips.
 """

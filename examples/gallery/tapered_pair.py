@@ -42,7 +42,7 @@ states = [nh.bearing.solve(pair(preload), radial=RADIAL, axial=AXIAL) for preloa
 
 
 def thrusts(state):
-    """Return what both rows bear along the axis [N], seen at the outer rings, which have no ribs."""
+    """Return the axial load of both rows [N], seen at the outer rings, which have no ribs."""
     rows = state.load[state.rollers_of(0), 1], state.load[state.rollers_of(1), 1]
     return np.array([math.sin(ANGLE) * loads.sum() for loads in rows])
 
@@ -67,9 +67,9 @@ def over_preload(ylabel):
 
 
 # %%
-# What the rows bear along the axis
-# ---------------------------------
-# A row of tapered rollers that bears a radial load pushes its rings apart along the axis. So both rows bear thrust,
+# Axial load of each row
+# ----------------------
+# A row of tapered rollers that carries a radial load pushes its rings apart along the axis. So both rows carry thrust,
 # and the difference between them is that of the shaft. Without preload half of the rollers idle.
 
 rows = np.array([thrusts(state) for state in states])
@@ -81,7 +81,7 @@ for preload, both, shares in zip(PRELOADS, rows, 14 * loaded, strict=True):
 with sheet_style():
     figure, axes = over_preload("Thrust on the row [kN]")
     for k, (name, colour, dashes) in enumerate(
-        (("row that bears the thrust", FIRST, "-"), ("other row", SECOND, "--"))
+        (("row that carries the thrust", FIRST, "-"), ("other row", SECOND, "--"))
     ):
         axes.plot(
             1e3 * PRELOADS, 1e-3 * rows[:, k], color=colour, linestyle=dashes, marker="o", markersize=3, label=name
@@ -93,8 +93,8 @@ with sheet_style():
 # Stiffness and life
 # ------------------
 # Stiffness against each motion of the shaft, and L10r by the laminae of ISO/TS 16281 with the solved pressures,
-# relative to those without preload. Kinks are where another roller comes to bear load; from 50 μm of preload on all of
-# the first row do. Radial and tilting stiffness grow alike.
+# relative to those without preload. Kinks are where another roller becomes loaded; from 50 μm of preload on all of
+# the first row do. Radial and tilting stiffness grow equally.
 
 KINDS = {
     "axial": (0, FIRST, "-"),
@@ -120,7 +120,7 @@ print(f"longest life at {1e3 * PRELOADS[lives.argmax()]:.0f} um")
 # Without radial load, and with 20 μm of preload. The bearing is as stiff as two rows until the second one lifts off.
 # Then the other one yields twice as much as at rest, and takes 2^n times the preload. For line contacts that is 2.16,
 # n being 10/9; rollers with a crown touch on ellipses as long as loads are light, with Hertz's n = 3/2 and 2.83. Here
-# it is a little more, since the rings are thin: they yield as the load, which takes away part of Hertz's approach.
+# it is a little more, since the rings are thin: they yield as the load, which reduces Hertz's approach.
 
 TAKEN = 0.02  # mm
 at_rest = nh.bearing.solve(pair(TAKEN), axial=0.0)
@@ -132,7 +132,7 @@ print(f"preload {preload:.0f} N; the second row lets go at {let_go:.0f} N, {let_
 
 with sheet_style():
     figure, axes = plain("Thrust on the shaft [kN]", "Thrust on the row [kN]")
-    axes.plot(1e-3 * shaft, 1e-3 * pushed[:, 0], color=FIRST, marker="o", markersize=3, label="row that bears it")
+    axes.plot(1e-3 * shaft, 1e-3 * pushed[:, 0], color=FIRST, marker="o", markersize=3, label="row that carries it")
     axes.plot(
         1e-3 * shaft, 1e-3 * pushed[:, 1], color=SECOND, linestyle="--", marker="o", markersize=3, label="other row"
     )
