@@ -34,8 +34,8 @@ for band in crown.bands:
 # %%
 # Any form
 # --------
-# A free profile only grows from the middle to both ends, here in six steps. It carries more on its ends, where the crown
-# has long lifted off, and so less in the middle.
+# A free profile only grows from the middle to both ends, here in six steps. It carries more on its ends, where the
+# crown has long lifted off, and so less in the middle.
 
 free = nh.design.best(case, vary={"body.a.profile": "free(60 um, 6)"}, loads=LOADS, starts=2, workers=1)
 print(free)
