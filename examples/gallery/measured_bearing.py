@@ -85,9 +85,9 @@ with sheet_style():
 # %%
 # Pressures and lives
 # -------------------
-# All rollers of a bearing are taken to be equal. The measured ones drop off sooner, so that less of their length carries
-# the load, at a higher pressure, and their life is shorter. A tilt of the rings causes no peak at any end. L10r is that of
-# the laminae of ISO/TS 16281 with these pressures.
+# All rollers of a bearing are taken to be equal. The measured ones drop off sooner, so that less of their length
+# carries the load, at a higher pressure, and their life is shorter. A tilt of the rings causes no peak at any end.
+# L10r is that of the laminae of ISO/TS 16281 with these pressures.
 
 found = {
     name: [nh.bearing.solve(each, radial=LOAD, tilt=tilt) for tilt in TILTS.values()] for name, each in BEARINGS.items()
