@@ -324,8 +324,8 @@ def format_digits(value: float, significant: int = 5) -> str:
 
     Examples
     --------
-    >>> format_digits(0.0322131), format_digits(20000.0), format_digits(0.999999), format_digits(1.23456789e9), format_digits(0.0)
-    ('0.032213', '20000', '1.0000', '1.2346e+09', '0')
+    >>> [format_digits(value) for value in (0.0322131, 20000.0, 0.999999, 1.23456789e9, 0.0)]
+    ['0.032213', '20000', '1.0000', '1.2346e+09', '0']
     """
     if value == 0.0 or not math.isfinite(value):
         return f"{value:g}".replace("-0", "0")
@@ -341,8 +341,8 @@ def format_input(value: float, significant: int = 6) -> str:
 
     Examples
     --------
-    >>> format_input(9.0), format_input(0.000523598775598), format_input(207000.0), format_input(2.5e-7), format_input(57.3, 1)
-    ('9', '0.000523599', '207000', '2.5e-07', '57')
+    >>> [format_input(value) for value in (9.0, 0.000523598775598, 207000.0, 2.5e-7)], format_input(57.3, 1)
+    (['9', '0.000523599', '207000', '2.5e-07'], '57')
     """
     mantissa, exponent, power = format_digits(value, significant).partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power

@@ -27,6 +27,7 @@ from nonhertz.amounts import format_digits, format_input, mm, mpa
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import one_of
+from nonhertz.lazy import dir_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.model.materials import name_of
 from nonhertz.result.edges import EdgeKind
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from nonhertz.subsurface.evaluation import Within
 
 __all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess", "judge", "onset_of_yield"]
+__dir__ = dir_of(__name__)
 
 #: Criteria of yielding: what the equivalent stress of each is called.
 CRITERIA: Final = {"von-mises": "von Mises stress", "tresca": "Tresca stress (twice the maximum shear stress)"}

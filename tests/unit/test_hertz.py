@@ -1,5 +1,6 @@
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from nonhertz.hertz import (
     plane_strain_cylinder_compression,
     point_contact,
 )
-from nonhertz.model.material import STEEL
+from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import MATERIALS
 
 COMPLIANCE = 2.0 * STEEL.compliance
@@ -152,3 +153,33 @@ def test_a_cylinder_narrower_than_the_contact_is_refused():
         plane_strain_cylinder_compression(contact, diameter=0.1, material=STEEL)
     with pytest.raises(InputError, match=r"^length = 0.1 must exceed the width of contact of 0\.5\d* mm: "):
         half_space_line_compression(contact, length=0.1)
+
+
+# Both bodies' elasticity
+
+
+@pytest.mark.parametrize("make", [ellipse, line])
+def test_materials_or_e_star_say_what_the_compliance_does(make):
+    # 1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b, of which K = 1/(pi E*): 207 and 310 GPa, 0.3 and 0.26.
+    e_star = 1.0 / ((1.0 - 0.3**2) / 207e3 + (1.0 - 0.26**2) / 310e3)
+    a, b = Material(modulus=207e3, poisson=0.3), Material(modulus=310e3, poisson=0.26)
+    expected = dataclasses.astuple(make(compliance=1.0 / (math.pi * e_star)))
+    for pair in ({"e_star": e_star}, {"materials": (a, b)}):
+        np.testing.assert_allclose(dataclasses.astuple(make(compliance=None, **pair)), expected, rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("pair", "sentence"),
+    [
+        ({"compliance": None}, "must be given: give one of materials, e_star and compliance"),
+        ({"e_star": 115e3}, "e_star = 115000.0 must be left out where compliance is given"),
+        ({"materials": (STEEL, STEEL)}, "must be left out where compliance is given"),
+        ({"compliance": None, "materials": (STEEL,)}, "must be a pair of Materials"),
+        ({"compliance": None, "e_star": -1.0}, "e_star = -1.0 must"),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("make", [ellipse, line])
+def test_elasticity_is_given_once(make, pair, sentence):
+    with pytest.raises(InputError, match=re.escape(sentence)):
+        make(**pair)

@@ -13,7 +13,7 @@ array([6860., 5710., 2670.,    0.])
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife as BearingLife
@@ -74,7 +74,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.verb import solve as solve
     from nonhertz.bearing.verb import solve_many as solve_many
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "assessed": ("BearingLife", "assess"),

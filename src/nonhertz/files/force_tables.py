@@ -15,9 +15,11 @@ from nonhertz.bearing.section import FORCES, MOTIONS
 from nonhertz.bearing.tables import ForceTable
 from nonhertz.errors import InputError
 from nonhertz.files.folder import write_file
+from nonhertz.lazy import dir_of
 from nonhertz.result.tables import as_csv
 
 __all__ = ["as_csv_text", "write"]
+__dir__ = dir_of(__name__)
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,7 @@ made by name with `model`, or by their functions: `lundberg_palmgren`, `ioannide
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.life.assessment import Life as Life
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from nonhertz.life.volume import Exposure as Exposure
     from nonhertz.life.volume import exposure as exposure
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "assessment": ("Life", "assess"),

@@ -6,7 +6,7 @@ code, `PRESSED`, `LOADED`, `PRESSURES` and `SHARE` are C functions that take its
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.maps.evaluation import LOADED as LOADED
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from nonhertz.maps.value import MapPoint as MapPoint
     from nonhertz.maps.verb import contact_map as contact_map
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "evaluation": ("LOADED", "PRESSED", "PRESSURES", "SHARE", "State"),

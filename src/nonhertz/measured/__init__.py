@@ -8,7 +8,7 @@ is never modified. `Measured.profile()` is a profile like any other, `Measured.f
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.measured.chain import Measured as Measured
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from nonhertz.measured.trace import Points as Points
     from nonhertz.measured.trace import Trace as Trace
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "chain": ("Measured", "prepare"),

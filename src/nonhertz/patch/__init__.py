@@ -7,7 +7,7 @@ slanted chamfers are treated just like a crown. Nothing here comes from the stri
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.patch.features import ChamferRun as ChamferRun
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from nonhertz.patch.solver import solve as solve
     from nonhertz.patch.surface import undeformed_gap as undeformed_gap
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "features": ("ChamferRun", "Dent", "Waviness"),

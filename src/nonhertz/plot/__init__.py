@@ -16,7 +16,7 @@ Nothing here uses pyplot or leaves a setting changed, and matplotlib is imported
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.plot.bearing.displacement import displacement_against_load as displacement_against_load
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from nonhertz.plot.subsurface import stress_figures as stress_figures
     from nonhertz.plot.subsurface import stress_planes as stress_planes
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "bearing.displacement": ("displacement_against_load",),

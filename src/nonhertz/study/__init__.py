@@ -8,6 +8,7 @@ how its results are distributed when dimensions are, and returns a `Tolerance`.
 
 from nonhertz.files.sampling import Sampling as Sampling
 from nonhertz.files.spreads import Distribution as Distribution
+from nonhertz.lazy import dir_of
 from nonhertz.result.gradient import Gradient as Gradient
 from nonhertz.result.measures import HalfWidthAt as HalfWidthAt
 from nonhertz.result.measures import Measure as Measure
@@ -29,3 +30,4 @@ __all__ = [
     "Capability", "Diagram", "Distribution", "Gradient", "HalfWidthAt", "Index", "Measure", "Partials", "PowerIntegral",
     "PressureAt", "PressureNorm", "Progress", "Quantile", "Sampling", "Sweep", "Tolerance", "damage", "diagram",
 ]  # fmt: skip
+__dir__ = dir_of(__name__)

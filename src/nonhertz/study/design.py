@@ -24,6 +24,7 @@ from nonhertz.files.planfile import Template, read_design
 from nonhertz.files.spreads import bounds_in
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, one_of, thread_count, whole
+from nonhertz.lazy import dir_of
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
@@ -37,6 +38,7 @@ from nonhertz.study.workers import LostError, Workers
 from nonhertz.verdict import Verdict, of_loads, of_rows
 
 __all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
+__dir__ = dir_of(__name__)
 
 Array = NDArray[np.float64]
 Portions = Callable[..., Iterator[tuple[Any, Any]]]

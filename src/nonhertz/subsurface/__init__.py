@@ -8,7 +8,7 @@ body.
 
 from typing import TYPE_CHECKING
 
-from nonhertz.doors import door
+from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
     from nonhertz.subsurface.evaluation import axial_plane as axial_plane
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from nonhertz.subsurface.search import Extremes as Extremes
     from nonhertz.subsurface.search import extremes as extremes
 
-__getattr__, __dir__ = door(
+__getattr__, __dir__ = attach(
     __name__,
     {
         "evaluation": ("axial_plane", "cross_section", "memory", "stress", "volume"),

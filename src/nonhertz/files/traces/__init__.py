@@ -20,9 +20,11 @@ from nonhertz.files.traces.text import decoded
 from nonhertz.files.traces.x3p import is_container, read_container
 from nonhertz.inputs.files import read_input_file
 from nonhertz.inputs.units import to_unit
+from nonhertz.lazy import dir_of
 from nonhertz.measured.trace import Trace
 
 __all__ = ["LARGEST_FILE", "read_trace"]
+__dir__ = dir_of(__name__)
 
 #: Bytes of the largest file that is read.
 LARGEST_FILE = 20_000_000

@@ -14,6 +14,7 @@ makes any of them from its drop at a place, as a drawing states it.
 
 from __future__ import annotations
 
+from nonhertz.lazy import dir_of
 from nonhertz.model.profile.base import Moved, Profile, Straight, Sum
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.drop import with_drop
@@ -63,3 +64,4 @@ __all__ = [
     "two_radius",
     "with_drop",
 ]
+__dir__ = dir_of(__name__)

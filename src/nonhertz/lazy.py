@@ -1,6 +1,7 @@
-"""Names of a package that are imported from the modules that define them when somebody asks for them.
+"""What a public module shows, and names of a package that are imported when somebody asks for them.
 
-So a module of a package can be imported without the package's others, and what these need.
+So a module of a package can be imported without the package's others, and what these need; and ``dir`` of a public
+module lists what is public and nothing else.
 """
 
 from __future__ import annotations
@@ -10,8 +11,15 @@ import sys
 from collections.abc import Callable, Mapping
 from typing import Any
 
+Dir = Callable[[], list[str]]
 
-def door(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+
+def dir_of(module: str) -> Dir:
+    """Return ``__dir__`` of the module of this name: what is in its ``__all__``."""
+    return lambda: sorted(sys.modules[module].__all__)
+
+
+def attach(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable[[str], Any], Dir]:
     """Return ``__getattr__`` and ``__dir__`` of a package.
 
     Parameters
@@ -32,4 +40,4 @@ def door(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable[[
         setattr(sys.modules[package], name, value)
         return value
 
-    return attribute, lambda: sorted({*vars(sys.modules[package]), *home})
+    return attribute, lambda: sorted(home)
