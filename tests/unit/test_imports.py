@@ -28,7 +28,7 @@ STEPS = [
     (f"assert nonhertz.cli.main(['solve', {str(CASE)!r}]) == 0", OTHERS),
     ("import nonhertz.plot.finished, nonhertz.bearing.bearings, nonhertz.maps.value", OTHERS[1:6]),
     ("import nonhertz.subsurface.evaluation, nonhertz.patch.solver, nonhertz.life.volume", HEAVY[2:]),
-    ("from nonhertz.inputs.units import in_unit; in_unit('field', 3, 'mm')", HEAVY[2:]),
+    ("from nonhertz.inputs.units import to_unit; to_unit('field', 3, 'mm')", HEAVY[2:]),
     ("import nonhertz.plot", HEAVY[2:]),
     ("import nonhertz.plot.sheets; nonhertz.plot.sheets.sheet(3.0)", ("matplotlib.pyplot",)),
 ]

@@ -12,9 +12,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
 from nonhertz.errors import AccuracyWarning, InputError
-from nonhertz.maps import LOADED, PRESSED, PRESSURES, SHARE, ContactMap, State
+from nonhertz.maps import AT_APPROACH, AT_LOAD, MAXIMA, STRIP_LOADS, ContactMap, State
 from nonhertz.maps.build import Building
-from nonhertz.maps.spline import cells, jumps, rows, size
+from nonhertz.maps.spline import jumps, knot_count, polynomials_in_cells, rows
 from nonhertz.maps.spread import spread
 from nonhertz.maps.touch import Relief
 from nonhertz.native import core
@@ -149,21 +149,21 @@ def state(function, made, first, tilt):
 
 
 def test_c_functions_agree_with_the_methods(made):
-    at, found = state(PRESSED, made, 5e-3, 2e-4), made.at(approach=5e-3, tilt=2e-4)
+    at, found = state(AT_APPROACH, made, 5e-3, 2e-4), made.at(approach=5e-3, tilt=2e-4)
     assert at[:4] == (found.approach, found.tilt, found.load, found.moment)
     assert [at.load_by_approach, at.load_by_tilt, at.load_by_tilt, at.moment_by_tilt] == [*found.stiffness.ravel()]
     assert at.inside == 1.0
-    assert tuple(written(PRESSURES, made, at.load, 2e-4, 2)) == (found.max_pressure, found.max_half_width)
+    assert tuple(written(MAXIMA, made, at.load, 2e-4, 2)) == (found.max_pressure, found.max_half_width)
     strips = np.empty(made.stations.size - 1)
-    SHARE(made.table.ctypes, at.load, 2e-4, strips.size, made.stations.ctypes, strips.ctypes)
+    STRIP_LOADS(made.table.ctypes, at.load, 2e-4, strips.size, made.stations.ctypes, strips.ctypes)
     assert_array_equal(strips, made.strip_loads(found))
-    under = state(LOADED, made, at.load, 2e-4)
+    under = state(AT_LOAD, made, at.load, 2e-4)
     assert_allclose(under.approach, 5e-3, rtol=1e-9)
     assert under[2:] == pytest.approx(at[2:], rel=1e-9)
 
 
 def test_a_map_is_called_by_the_address_of_a_function(made):
-    address = ctypes.cast(PRESSED, ctypes.c_void_p).value
+    address = ctypes.cast(AT_APPROACH, ctypes.c_void_p).value
     numbers = ctypes.POINTER(ctypes.c_double)
     function = ctypes.CFUNCTYPE(None, numbers, ctypes.c_double, ctypes.c_double, numbers)(address)
     found = np.empty(8)
@@ -174,14 +174,14 @@ def test_a_map_is_called_by_the_address_of_a_function(made):
 @pytest.mark.parametrize("tilt", [0.0, 9e-4, 1.5e-3, -0.1])
 def test_outside_c_functions_continue_without_a_step_and_say_so(made, tilt):
     within = min(max(tilt, -TILT), TILT)
-    last = state(LOADED, made, MOST, within).approach
+    last = state(AT_LOAD, made, MOST, within).approach
     for approach in (last + 1e-9, 2.0 * last, 10.0, -10.0, 0.5 * last):
-        found = state(PRESSED, made, approach, tilt)
+        found = state(AT_APPROACH, made, approach, tilt)
         assert all(math.isfinite(value) for value in found)
         assert found.load >= 0.0
         if tilt != within:
             assert not found.inside
-    edge, beyond = (state(PRESSED, made, approach, within) for approach in (last, last + 1e-9))
+    edge, beyond = (state(AT_APPROACH, made, approach, within) for approach in (last, last + 1e-9))
     assert_allclose(beyond.load, edge.load, rtol=1e-5)
     assert not beyond.inside
 
@@ -378,10 +378,10 @@ def test_the_tilt_coordinate_has_the_derivatives_that_it_returns():
 def test_polynomials_of_cells_are_the_spline_and_its_derivatives():
     """On uneven cells, against the basis functions themselves."""
     breaks = np.array([0.0, 0.1, 0.4, 1.0]), np.array([0.0, 0.7, 1.0])
-    coefficients = np.random.default_rng(5).normal(size=(size(breaks[0]), size(breaks[1])))
+    coefficients = np.random.default_rng(5).normal(size=(knot_count(breaks[0]), knot_count(breaks[1])))
     places = np.array([0.05, 0.35, 0.9]), np.array([0.2, 0.8, 0.7])
     i, j = np.array([0, 1, 2]), np.array([0, 1, 1])
-    found = cells(breaks, coefficients)[i, j]
+    found = polynomials_in_cells(breaks, coefficients)[i, j]
     for orders in ((0, 0), (1, 0), (0, 2), (1, 1)):
         powers = [
             np.polynomial.polynomial.polyvander((place - each[k]) / (each[k + 1] - each[k]), 5)
@@ -399,7 +399,7 @@ def test_polynomials_of_cells_are_the_spline_and_its_derivatives():
 
 def test_jumps_are_those_of_either_sign_and_none_within_one_polynomial():
     breaks = np.array([0.0, 0.1, 0.4, 1.0]), np.array([0.0, 0.7, 1.0])
-    coefficients = np.random.default_rng(5).normal(size=(size(breaks[0]), size(breaks[1])))
+    coefficients = np.random.default_rng(5).normal(size=(knot_count(breaks[0]), knot_count(breaks[1])))
     places = np.array([0.05, 0.35, 0.9]), np.array([0.2, 0.8, 0.7])
     one, other = jumps(breaks, coefficients, places), jumps(breaks, -coefficients, places)
     assert_array_equal(one, other)
@@ -442,14 +442,14 @@ def test_a_range_whose_end_cannot_be_solved_is_refused_with_the_reason():
         nh.contact_map(contact, load=(0, 1e6), accuracy=0.1, checks=20)
     assert "\n" not in str(refused.value)
     # Of a round in which no case has a solution nothing is kept.
-    none = Building(contact, nh.SEMI_ELLIPTIC, None, np.array([-10.0, 0.0, 10.0]), 20).solved(
+    none = Building(contact, nh.SEMI_ELLIPTIC, None, np.array([-10.0, 0.0, 10.0]), 20).sample(
         np.array([1e6]), np.zeros(1)
     )
     assert (none.load.shape, none.places.shape, none.strip_loads.shape) == ((0,), (0, 25), (0, 2))
 
 
 def test_a_range_in_which_hardly_anything_is_solved_is_refused(monkeypatch):
-    solved = Building.solved
-    monkeypatch.setattr(Building, "solved", lambda self, load, tilt: solved(self, load[:3], tilt[:3]))
+    solved = Building.sample
+    monkeypatch.setattr(Building, "sample", lambda self, load, tilt: solved(self, load[:3], tilt[:3]))
     with pytest.raises(InputError, match="cases without a solution = 15 must not exceed the number of cases with one"):
         nh.contact_map(CONTACT, load=(0, 1e3), accuracy=0.1, checks=20)

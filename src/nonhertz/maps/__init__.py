@@ -1,7 +1,7 @@
 """Maps: stand-ins for a contact, a microsecond a query, for programs that solve whole bearings.
 
 `contact_map` makes a `ContactMap`. In Python it is evaluated by `ContactMap.at` and `ContactMap.under`; for compiled
-code, `PRESSED`, `LOADED`, `PRESSURES` and `SHARE` are C functions that take its ``table``.
+code, `AT_APPROACH`, `AT_LOAD`, `MAXIMA` and `STRIP_LOADS` are C functions that take its ``table``.
 """
 
 from typing import TYPE_CHECKING
@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from nonhertz.lazy import attach
 
 if TYPE_CHECKING:
-    from nonhertz.maps.evaluation import LOADED as LOADED
-    from nonhertz.maps.evaluation import PRESSED as PRESSED
-    from nonhertz.maps.evaluation import PRESSURES as PRESSURES
-    from nonhertz.maps.evaluation import SHARE as SHARE
+    from nonhertz.maps.evaluation import AT_APPROACH as AT_APPROACH
+    from nonhertz.maps.evaluation import AT_LOAD as AT_LOAD
+    from nonhertz.maps.evaluation import MAXIMA as MAXIMA
+    from nonhertz.maps.evaluation import STRIP_LOADS as STRIP_LOADS
     from nonhertz.maps.evaluation import State as State
     from nonhertz.maps.misses import SampledErrors as SampledErrors
     from nonhertz.maps.value import ContactMap as ContactMap
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __getattr__, __dir__ = attach(
     __name__,
     {
-        "evaluation": ("LOADED", "PRESSED", "PRESSURES", "SHARE", "State"),
+        "evaluation": ("AT_LOAD", "AT_APPROACH", "MAXIMA", "STRIP_LOADS", "State"),
         "misses": ("SampledErrors",),
         "value": ("ContactMap", "MapPoint"),
         "verb": ("contact_map",),

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.maps.evaluation import QUANTILES
-from nonhertz.maps.fitting import Samples, Shape, fitted, table
+from nonhertz.maps.fitting import Samples, Shape, fit_surfaces, table
 from nonhertz.maps.misses import SAFETY, Misses
 from nonhertz.maps.spline import jumps
 from nonhertz.maps.spread import spread
@@ -57,15 +57,15 @@ class Building:
     stations: Array
     checks: int
 
-    def pressed(self, name: str, values: Array, tilt: Array) -> Solutions:
+    def solve(self, name: str, values: Array, tilt: Array) -> Solutions:
         """Solve cases under loads or approaches; what their solutions warn of is left to single solves."""
         with without_accuracy_warnings():
             prescribed: dict[str, Any] = {name: values}
             return solve_many(self.contact, **prescribed, tilt=tilt, element=self.element, threads=self.threads)
 
-    def solved(self, load: Array, tilt: Array) -> Samples:
+    def sample(self, load: Array, tilt: Array) -> Samples:
         """Solve cases under loads [N] and at tilts [rad]; those that fail are left out."""
-        solutions = self.pressed("load", load, tilt)
+        solutions = self.solve("load", load, tilt)
         good = np.flatnonzero(solutions.converged)
         spreads = [spread(self.contact, *solutions.line_load(int(number)), self.stations) for number in good]
         return Samples(
@@ -76,7 +76,7 @@ class Building:
         )  # fmt: skip
 
 
-def built(
+def build_surfaces(
     building: Building, shape: Shape, relief: Relief, accuracy: float, announce: Callable[[str], None]
 ) -> dict[str, Any]:
     """Solve, fit, check and refine until load and moment are accurate enough or refinement no longer helps.
@@ -101,20 +101,20 @@ def built(
 
     def checked(count: int) -> tuple[Samples, Misses]:
         nonlocal failed
-        checks = building.solved(*_check_points(shape, random, count))
+        checks = building.sample(*_check_points(shape, random, count))
         failed += count - checks.load.size
         return checks, Misses.of(shape, table(shape.counted, shape.breaks, *coefficients), building.stations, checks)
 
     while True:
         load, tilt = _new_nodes(shape, known)
         announce(f"{load.size + (samples.load.size if samples else 0)} cases")
-        fresh = building.solved(load, tilt)
+        fresh = building.sample(load, tilt)
         failed += load.size - fresh.load.size
         samples = samples.joined(fresh) if samples else fresh
         if failed > samples.load.size:
             condition = f"not exceed the number of cases with one, {samples.load.size}"
             raise InputError("cases without a solution", failed, condition, "narrow the range of the map")
-        coefficients = fitted(shape, samples, _touch(shape, relief))
+        coefficients = fit_surfaces(shape, samples, _touch(shape, relief))
         for count in (min(_ROUND_POINTS, building.checks), building.checks):
             checks, misses = checked(count)
             if SAFETY * misses.worst > accuracy:
@@ -122,12 +122,12 @@ def built(
         else:
             break
         tried.append((misses, shape))
-        refined = _refined(shape, coefficients[0], checks, misses.combined, accuracy / SAFETY)
+        refined = _refine(shape, coefficients[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
         if refined is None or _scattered(tried) or samples.load.size > _MOST_CASES:
             least = min(misses.typical for misses, _ in tried)
             shape = next(candidate for misses, candidate in tried if misses.typical <= _AS_GOOD * least)
-            coefficients = fitted(shape, samples, _touch(shape, relief))
+            coefficients = fit_surfaces(shape, samples, _touch(shape, relief))
             _, misses = checked(building.checks)
             break
         shape = refined
@@ -183,7 +183,7 @@ def _touch(shape: Shape, relief: Relief) -> tuple[Array, Array]:
     return tilt, relief.touched(tilt)
 
 
-def _refined(shape: Shape, mean_approach: Array, checks: Samples, errors: Array, permitted: float) -> Shape | None:
+def _refine(shape: Shape, mean_approach: Array, checks: Samples, errors: Array, permitted: float) -> Shape | None:
     """Return a shape with cells halved around the worst points, in the direction that matters there.
 
     None if no cell can be halved further.

@@ -16,7 +16,7 @@ QUANTILES = 25
 
 
 class State(NamedTuple):
-    """The eight numbers of a state, in the order in which `PRESSED` and `LOADED` write them.
+    """The eight numbers of a state, in the order in which `AT_APPROACH` and `AT_LOAD` write them.
 
     Attributes
     ----------
@@ -41,23 +41,22 @@ class State(NamedTuple):
 _POINTER, _NUMBER, _COUNT = ctypes.c_void_p, ctypes.c_double, ctypes.c_int64
 _at_a_point = ctypes.CFUNCTYPE(None, _POINTER, _NUMBER, _NUMBER, _POINTER)
 _along_strips = ctypes.CFUNCTYPE(None, _POINTER, _NUMBER, _NUMBER, _COUNT, _POINTER, _POINTER)
-_pressed, _loaded, _pressures, _share = core.map_functions()
+_at_approach, _at_load, _maxima, _strip_loads = core.map_functions()
 
-#: ``void pressed(const double *table, double approach, double tilt, double *state)`` writes the state of a contact at
-#: an approach [mm] and a tilt [rad]: the eight numbers of `State`. ``table`` is `ContactMap.table`. Out of contact
+#: ``void at_approach(const double *table, double approach, double tilt, double *state)`` writes the state of a contact
+#: at an approach [mm] and a tilt [rad]: the eight numbers of `State`. ``table`` is `ContactMap.table`. Out of contact
 #: load, moment and stiffness are zero. Outside the range of the map they are continued linearly from its border, and
 #: ``inside`` is 0; a load continued below zero is zero, with no stiffness.
-PRESSED = _at_a_point(_pressed)
-#: ``void loaded(const double *table, double load, double tilt, double *state)`` writes the state under a load [N], not
+AT_APPROACH = _at_a_point(_at_approach)
+#: ``void at_load(const double *table, double load, double tilt, double *state)`` writes the state under a load [N], not
 #: negative, and at a tilt [rad]. Under no load it is that of first touch, without stiffness. Outside the range of the
 #: map the approach is continued linearly from its border, and ``inside`` is 0.
-LOADED = _at_a_point(_loaded)
-#: ``void pressures(const double *table, double load, double tilt, double *found)`` writes two numbers: largest pressure
-#: [MPa] and largest half-width [mm] under a load and a tilt, as `PRESSED` writes them; zero under no load. Outside the
-#: range of the map the nearest load and tilt within count.
-PRESSURES = _at_a_point(_pressures)
-#: ``void share(const double *table, double load, double tilt, int64_t strips, const double *stations, double *loads)``
-#: writes the load on each strip [N] between ascending stations [mm], of which there is one more than strips, such as
-#: those of the map. Where the strips cover the contact, their sum is the load; outside the range of the map the
-#: contact is as wide as at its border.
-SHARE = _along_strips(_share)
+AT_LOAD = _at_a_point(_at_load)
+#: ``void maxima(const double *table, double load, double tilt, double *maxima)`` writes two numbers: largest pressure
+#: [MPa] and largest half-width [mm] under a load and a tilt, as `AT_APPROACH` writes them; zero under no load. Outside
+#: the range of the map the nearest load and tilt within count.
+MAXIMA = _at_a_point(_maxima)
+#: ``void strip_loads(const double *table, double load, double tilt, int64_t n, const double *stations, double *loads)``
+#: writes the load on each of n strips [N] between n + 1 ascending stations [mm], such as those of the map. Where
+#: the strips cover the contact, their sum is the load; outside the range of the map it is as wide as at its border.
+STRIP_LOADS = _along_strips(_strip_loads)

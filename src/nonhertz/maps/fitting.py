@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING
-from nonhertz.maps.spline import cells, roughness, rows, size
+from nonhertz.maps.spline import knot_count, polynomials_in_cells, roughness, rows
 from nonhertz.native import core
 from nonhertz.result.read_only import read_only
 
@@ -116,7 +116,7 @@ class Shape:
         return x, core.map_tilt_coordinates(self.counted, x, inside).T
 
 
-def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[Array, Array]:
+def fit_surfaces(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[Array, Array]:
     """Return the coefficients of the mean approach, and those of all other quantities.
 
     ``touch`` are tilts [rad], and the approaches of first touch at them [mm].
@@ -129,7 +129,7 @@ def fitted(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> tuple[
     # Imported here, because a map that is read, or none, needs nothing of it.
     from scipy import sparse
 
-    counts = [size(knots) for knots in shape.breaks]
+    counts = [knot_count(knots) for knots in shape.breaks]
     x, z = shape.coordinates(samples.load, samples.tilt)
     light = np.maximum(samples.load, LIGHT * shape.max_load)
     system, right = _mean_approach_rows(shape, samples, x, z, light)
@@ -224,8 +224,10 @@ def table(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, oth
     breaks : tuple of ndarray
         Borders of the cells in x and in z.
     mean_approach, others : ndarray
-        Coefficients, as `fitted` returns them. In the table they stand as polynomials of the cells, those of all others
-        cell by cell.
+        Coefficients, as `fit_surfaces` returns them. In the table they stand as polynomials of the cells, those of all
+        others cell by cell.
     """
-    arranged = np.moveaxis(cells(breaks, others), 0, 2)
-    return read_only(np.concatenate([numbers, *breaks, cells(breaks, mean_approach).ravel(), arranged.ravel()]))
+    arranged = np.moveaxis(polynomials_in_cells(breaks, others), 0, 2)
+    return read_only(
+        np.concatenate([numbers, *breaks, polynomials_in_cells(breaks, mean_approach).ravel(), arranged.ravel()])
+    )

@@ -24,7 +24,7 @@ DEGREE = ORDER - 1
 _ROUGHNESS = 4  # order of the differences of coefficients that `roughness` measures
 
 
-def size(breaks: Array) -> int:
+def knot_count(breaks: Array) -> int:
     """Return the number of basis functions on the intervals between ``breaks``."""
     return breaks.size - 1 + DEGREE
 
@@ -35,7 +35,7 @@ def basis(breaks: Array, derivative: int = 0) -> BSpline:
     from scipy.interpolate import BSpline
 
     clamped = np.concatenate([np.repeat(breaks[0], DEGREE), breaks, np.repeat(breaks[-1], DEGREE)])
-    return BSpline(clamped, np.eye(size(breaks)), DEGREE).derivative(derivative)
+    return BSpline(clamped, np.eye(knot_count(breaks)), DEGREE).derivative(derivative)
 
 
 def rows(
@@ -70,7 +70,7 @@ def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
     """
     from scipy import sparse
 
-    counts = [size(knots) for knots in breaks]
+    counts = [knot_count(knots) for knots in breaks]
     steps = [sparse.csr_array(np.diff(np.eye(count), n=_ROUGHNESS, axis=0)) for count in counts]
     return sparse.csr_array(
         sparse.vstack([sparse.kron(steps[0], sparse.eye(counts[1])), sparse.kron(sparse.eye(counts[0]), steps[1])])
@@ -85,7 +85,7 @@ def polynomials(breaks: Array) -> Array:
     return np.take_along_axis(local, own[:, :, None], axis=1)
 
 
-def cells(breaks: tuple[Array, Array], coefficients: Array) -> Array:
+def polynomials_in_cells(breaks: tuple[Array, Array], coefficients: Array) -> Array:
     """Return the polynomials of all cells, shape (..., first cells, second cells, 6, 6).
 
     Parameters
@@ -105,7 +105,7 @@ def jumps(breaks: tuple[Array, Array], coefficients: Array, places: tuple[Array,
 
     Times the size of the cell to the power of five it estimates what a finer spline would change there.
     """
-    polynomials = cells(breaks, coefficients)
+    polynomials = polynomials_in_cells(breaks, coefficients)
     at = [
         np.clip(np.searchsorted(knots, place, side="right") - 1, 0, knots.size - 2)
         for knots, place in zip(breaks, places, strict=True)

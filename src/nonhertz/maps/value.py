@@ -183,7 +183,7 @@ class ContactMap(HasFindings, ReadOnly):
 
     @cached_property
     def table(self) -> Array:
-        """All numbers in a row, which C functions such as `nonhertz.maps.PRESSED` take."""
+        """All numbers in a row, which C functions such as `nonhertz.maps.AT_APPROACH` take."""
         count = self.breaks.size - int(self.numbers[-1]) - 1
         return fitting.table(self.numbers, (self.breaks[:count], self.breaks[count:]), self.mean_approach, self.others)
 

@@ -12,7 +12,7 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.findings import warn
 from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
-from nonhertz.maps.build import FIRST_CELLS, Building, built
+from nonhertz.maps.build import FIRST_CELLS, Building, build_surfaces
 from nonhertz.maps.fitting import Shape
 from nonhertz.maps.touch import Relief
 from nonhertz.maps.value import ContactMap
@@ -113,12 +113,12 @@ def contact_map(
     _relative_error("accuracy", accuracy, "1e-4 suits most uses")
     checks = whole("checks", checks, FEWEST_CHECKS, MOST_CHECKS, "300 suit most uses")
     building = Building(contact, element_of(element), threads, np.empty(0), checks)
-    by_load, pressed = _pressed(contact, load, approach)
+    by_load, pressed = _range_of_load(contact, load, approach)
     max_load, relief, rise = _extent(building, by_load, pressed, tilts := _tilts(tilt))
     ends = float(relief.y[0]), float(relief.y[-1])
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, max_load, rise, tilts)
-    surfaces = built(building, shape, relief, accuracy, announce or (lambda _: None))
+    surfaces = build_surfaces(building, shape, relief, accuracy, announce or (lambda _: None))
     bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
     made = ContactMap(
         description=f"{bodies}, {building.element.name} strips",
@@ -132,7 +132,7 @@ def contact_map(
     return made
 
 
-def _pressed(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
+def _range_of_load(contact: Contact, load: Range | None, approach: Range | None) -> tuple[bool, Range]:
     """Return whether loads are given, and the range of loads or approaches."""
     if (load is None) == (approach is None):
         raise InputError("load", load, "be given where approach is not, and only there", "give load or approach")
@@ -192,7 +192,7 @@ def _extent(building: Building, by_load: bool, pressed: Range, tilts: Range) -> 
     Found by solving under the largest load or approach at a few tilts.
     """
     tilt = np.linspace(*tilts, _END_TILTS)
-    solutions = building.pressed("load" if by_load else "approach", np.full(_END_TILTS, pressed[1]), tilt)
+    solutions = building.solve("load" if by_load else "approach", np.full(_END_TILTS, pressed[1]), tilt)
     good = np.flatnonzero(solutions.converged)
     if good.size == 0:
         error = solutions.failures[0]
