@@ -47,11 +47,15 @@ def test_pinned_cases_stay_beside_the_next(desk):
     for figure in ("pressure", "half-width", "gap"):
         caption = desk.page.locator(f'[data-figure="{figure}"] figcaption')
         assert "pinned" in caption.inner_text()
+        assert "first pinned" not in caption.inner_text()
 
     desk.page.locator("#pin").click()
     desk.write("body.a.length", "19")
     assert pinned(desk) == [tomllib.loads(starting_case())["title"], "load 26 kN"]
     assert row(desk, 1)["Load"] == "26.00 kN\n+30.0 %"
+    for figure in ("pressure", "half-width", "gap"):
+        assert "first pinned" in desk.page.locator(f'[data-figure="{figure}"] figcaption').inner_text()
+    assert "dotted: first pinned" in desk.page.locator('[data-figure="profile-a"]').text_content()
     desk.photograph("pinned")
     # Back to the first, by the keyboard; one is taken away, then the other.
     desk.page.locator("#pins button").first.focus()

@@ -102,9 +102,14 @@ class TestPressure:
         shown = [text for text in ax.texts if text.get_text().startswith("land end, ")]
         assert len(shown) == 2
         for text in shown:
-            y, pressure = text.xy  # type: ignore[attr-defined]
-            assert pressure == solution.centre_pressure[np.abs(solution.y - y).argmin()]
+            y, height = text.xy  # type: ignore[attr-defined]
+            peak = solution.centre_pressure[np.abs(solution.y - y).argmin()]
+            assert text.get_text() == f"land end, {peak:.4g} MPa"
             assert abs(y) == pytest.approx(9.2, abs=0.05)
+            # No line runs through the words.
+            box = text.get_window_extent().transformed(ax.transData.inverted())
+            under = (solution.y >= box.x0) & (solution.y <= box.x1)
+            assert peak <= solution.centre_pressure[under].max() <= height <= box.y0
 
     def test_singular_ends_have_exponent_and_strength(self, ax):
         solution = solved("straight")

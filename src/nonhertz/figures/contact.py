@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -51,6 +51,8 @@ ROUNDING = 1e-9
 """Relative, by which a pressure may exceed the last colour."""
 DIMENSION = 0.92
 """Of the height of the axes, where the length in contact is drawn."""
+LAND_END = 0.18
+"""Of the range along, that words on the end of a land take."""
 SINGULAR = 0.72
 """Of the height of the axes, where words on a pressure without limit stand."""
 
@@ -236,11 +238,18 @@ def _largest(solution: Solution) -> Iterator[Mark]:
         yield from land_ends(solution)
 
 
-def land_ends(solution: Solution, colour: Colour = "ink") -> Iterator[Mark]:
-    """Yield words where the pressure rises again towards the end of a land."""
-    middle = 0.5 * sum(axial_range(solution))
+def land_ends(solution: Solution, colour: Colour = "ink", among: Iterable[Solution] = ()) -> Iterator[Mark]:
+    """Yield words where the pressure rises again towards the end of a land, above the lines that they would cross."""
+    low, high = axial_range(solution)
     for y, value in land_end_peaks(solution):
-        yield Words(y, value, f"land end, {mpa(value):.4g}", "left" if y < middle else "right", colour=colour)
+        inwards = 1.0 if y < 0.5 * (low + high) else -1.0
+        below = [
+            np.minimum(other.centre_pressure[np.abs(other.y - y - inwards * reach) <= reach], other.max_pressure)
+            for other in (solution, *among)
+            for reach in [0.5 * LAND_END * (high - low)]
+        ]
+        above = max(value, *(float(pressures.max(initial=0.0)) for pressures in below))
+        yield Words(y, above, f"land end, {mpa(value):.4g}", "left" if inwards > 0.0 else "right", colour=colour)
 
 
 def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour] = ()) -> Iterator[Mark]:

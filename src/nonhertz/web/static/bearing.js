@@ -1,7 +1,7 @@
 // The page of a bearing: by slices at every edit, by strips when the hand rests.
 
 import { watchCatalogue } from "./catalogue.js";
-import { figure, head, whenResized } from "./chart.js";
+import { figure, head, pinnedAs, whenResized } from "./chart.js";
 import { noteNumbers } from "./csv.js";
 import { byId } from "./elements.js";
 import { AWAY, Live, asked, post } from "./live.js";
@@ -160,7 +160,7 @@ function drawRoller({ lines }, before, number) {
   [byId("roller-name").textContent] = lines.conditions.split(";");
   figure("pressure").hidden = !pressures.length;
   const drawn = { ...lines, panels: [...pressures, ...lines.panels.filter((panel) => !isPressure(panel))] };
-  drawPanels(drawn, pin?.answer.shown === number ? pin.answer.lines : undefined, { last: "relief" });
+  drawPanels(drawn, pin?.answer.shown === number ? pin.answer.lines : undefined, { last: "relief", pinnedAs: pinnedAs(page.pins) });
   void askLines(page.answer, page.document, number);
   void askLines(page.pressed, page.pressedOf, number);
   if (pin) void askLines(pin.answer, pin.document, number);

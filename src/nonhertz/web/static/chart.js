@@ -149,9 +149,9 @@ export function extent(values) {
   return /** @type {[number, number]} */ (low <= high ? [low, high] : [0, 1]);
 }
 
-/** The legend entry of a pinned case. @param {object | null} pinned @returns {[string, string][]} */
-export function pinnedKey(pinned) {
-  return pinned ? [["pinned", "pinned"]] : [];
+/** What the pinned case is called whose lines are drawn. @param {any[]} pins */
+export function pinnedAs(pins) {
+  return pins.length > 1 ? "first pinned" : "pinned";
 }
 
 /** The line of a pinned case, if there is one. */

@@ -14,7 +14,6 @@ import {
   figure,
   head,
   innerWidthOf,
-  pinnedKey,
   pinnedLine,
   reading,
 } from "./chart.js";
@@ -117,13 +116,14 @@ function gradient(id, x, values, { range }) {
  * Draw all panels of a figure, with the lines of a pinned one, into the figures of their names.
  * @param {Figure} drawn
  * @param {Figure | undefined} pinned
- * @param {{limits?: [number, number] | null, last?: string, net?: {columns: number, rows: number}}} [how] limits of the
- *   upright axes if these are to stay as they were, the panel whose axis along is labelled, and the grid of contours
+ * @param {{limits?: [number, number] | null, last?: string, net?: {columns: number, rows: number}, pinnedAs?: string}} [how]
+ *   limits of the upright axes if these are to stay as they were, the panel whose axis along is labelled, the grid of
+ *   contours, and what the pinned one is called
  * @returns {import("./tilt.js").Axes[]} where places are in the drawings
  */
-export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE } = {}) {
+export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE, pinnedAs = "pinned" } = {}) {
   const before = (name) => pinned?.panels.find((panel) => panel.name === name);
-  return drawn.panels.map((panel) => drawPanel(panel, drawn.along, before(panel.name), limits, panel.name === last, net));
+  return drawn.panels.map((panel) => drawPanel(panel, drawn.along, before(panel.name), limits, panel.name === last, net, pinnedAs));
 }
 
 /**
@@ -133,8 +133,9 @@ export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE
  * @param {[number, number] | null} limits
  * @param {boolean} labelled
  * @param {{columns: number, rows: number}} net
+ * @param {string} pinnedAs
  */
-function drawPanel(panel, along, pinned, limits, labelled, net) {
+function drawPanel(panel, along, pinned, limits, labelled, net, pinnedAs) {
   const host = figure(panel.name);
   const upright = { ...panel.upright, range: limits ?? rangeOf(panel, pinned) };
   const lines = panel.marks.filter(({ kind }) => kind === "line");
@@ -159,7 +160,7 @@ function drawPanel(panel, along, pinned, limits, labelled, net) {
   const margins = { ...MARGINS, ...(labelled ? { marginBottom: NAMED } : {}) };
   const { height, proportions } = sizeOf(host, panel, along, margins);
   const remark = [proportions, panel.remark].filter((words) => words).join("; ");
-  head(host, panel.heading, [...key, ...shades, ...pinnedKey(pinned ?? null)], remark);
+  head(host, panel.heading, [...key, ...shades, ...(pinned ? [["pinned", pinnedAs]] : [])], remark);
   const chart = draw(
     host,
     {

@@ -18,8 +18,9 @@ export function bodyNamed(body) {
  * @param {string[]} bodies
  * @param {Profiles | undefined} profiles
  * @param {Profiles | undefined} pinned
+ * @param {string} pinnedAs what that is called
  */
-export function drawProfiles(bodies, profiles, pinned) {
+export function drawProfiles(bodies, profiles, pinned, pinnedAs) {
   for (const body of bodies) {
     const host = figure(`profile-${body}`);
     if (!host) continue;
@@ -27,13 +28,13 @@ export function drawProfiles(bodies, profiles, pinned) {
     host.classList.toggle("outdated", !profile); // the last drawing of an invalid body stays, dimmed
     if (!profile) continue;
     // Redrawn only if it changed: dragging the load, for example, changes no profile.
-    const numbers = `${unitsCode()} ${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um}`;
-    if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body]);
+    const numbers = `${unitsCode()} ${widthOf(host)} ${profile.y} ${profile.relief_um} ${pinned?.[body]?.relief_um} ${pinnedAs}`;
+    if (drawn.get(host) !== numbers) drawProfile(host, body, profile, pinned?.[body], pinnedAs);
     drawn.set(host, numbers);
   }
 }
 
-function drawProfile(host, body, { y, relief_um: relief, range_um: range }, pinned) {
+function drawProfile(host, body, { y, relief_um: relief, range_um: range }, pinned, pinnedAs) {
   const [low, high] = d3.extent([...range, ...(pinned?.range_um ?? [])]);
   const cut = relief.map((value) => (value === null ? null : Math.min(value, 2 * high)));
   draw(
@@ -52,7 +53,7 @@ function drawProfile(host, body, { y, relief_um: relief, range_um: range }, pinn
         line(y, cut, { stroke: FIRST, clip: true }),
         Plot.text([[low, high]], {
           frameAnchor: "bottom",
-          text: [`relief [${named("µm")}] along y [${named("mm")}]`],
+          text: [`relief [${named("µm")}] along y [${named("mm")}]${pinned ? `, dotted: ${pinnedAs}` : ""}`],
           dy: -4,
           fill: INK,
           fillOpacity: 0.7,

@@ -1,6 +1,6 @@
 // What the page shows: the latest good result, those that are pinned, and what is wrong now.
 
-import { figure, whenResized } from "./chart.js";
+import { figure, pinnedAs, whenResized } from "./chart.js";
 import { FINE, QUICK } from "./contours.js";
 import { byId } from "./elements.js";
 import { showMistakes } from "./mistakes.js";
@@ -98,9 +98,10 @@ export class View {
     if (!this.latest) return;
     const { figures, key } = this.latest.answer;
     const before = this.pins[0]?.answer.figures;
-    drawPanels(figures.pressure, before?.pressure);
+    const how = { pinnedAs: pinnedAs(this.pins) };
+    drawPanels(figures.pressure, before?.pressure, how);
     drawPanels(figures.footprint, undefined);
-    const [axes] = drawPanels(figures.distance, before?.distance, { limits: this.tilt.limits, last: "gap" });
+    const [axes] = drawPanels(figures.distance, before?.distance, { ...how, limits: this.tilt.limits, last: "gap" });
     const undeformed = figures.distance.panels[0].marks.find(({ name }) => name === "undeformed");
     this.tilt.place(/** @type {any} */ (undeformed), key.tilt, axes);
     this.drawProfiles(this.profiles);

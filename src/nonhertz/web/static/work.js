@@ -1,5 +1,6 @@
 // What both pages have: a document with its form and its file, undo, links, a pinned one, and what is dropped on the page.
 
+import { pinnedAs } from "./chart.js";
 import { watchDrops } from "./drops.js";
 import { Edits } from "./edits.js";
 import { byId } from "./elements.js";
@@ -112,7 +113,7 @@ export class Work {
   /** Draw the profiles of the bodies, beside the pinned ones. @param {any} profiles */
   drawProfiles(profiles) {
     this.profiles = profiles;
-    drawProfiles(Object.keys(this.page.bodies), profiles, this.pins[0]?.answer.profiles);
+    drawProfiles(Object.keys(this.page.bodies), profiles, this.pins[0]?.answer.profiles, pinnedAs(this.pins));
   }
 
   /** Ask what the form of a document takes from its geometry; null if there is no answer. @param {object} document */
