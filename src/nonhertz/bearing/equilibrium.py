@@ -1,7 +1,7 @@
 """Rollers between rings in equilibrium: the motion of the inner ring under given forces, moments and displacements.
 
-The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/equilibrium.md. Here
-rollers and their contacts are put together for it, and the states that it returns are arrays.
+The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/equilibrium.md.
+Here rollers and their contacts are put together for it, and the states that it returns are arrays.
 """
 
 from __future__ import annotations

@@ -87,7 +87,7 @@ def bears_something(body: Body) -> bool:
     """Return whether anything is known of what a body bears."""
     material = body.material
     known = (material.yield_strength, material.core_yield_strength, material.pressure_limit, body.case_depth)
-    return any(each is not None for each in known)
+    return any(requirement is not None for requirement in known)
 
 
 def strengths(solution: Solution, overall: Extremes, announce: Announce = in_silence) -> tuple[Strength, ...]:
@@ -102,12 +102,12 @@ def strengths(solution: Solution, overall: Extremes, announce: Announce = in_sil
     announce : callable
         Called with the name of a further search as it begins.
     """
-    found = [assess(solution, body=overall.body, largest=overall)]
+    assessments = [assess(solution, body=overall.body, largest=overall)]
     other: BodyName = "b" if overall.body == "a" else "a"
     if bears_something(solution.contact.b if other == "b" else solution.contact.a):
         announce(f"body {other}")
-        found.append(assess(solution, body=other))
-    return tuple(found)
+        assessments.append(assess(solution, body=other))
+    return tuple(assessments)
 
 
 def models_for(
@@ -118,11 +118,11 @@ def models_for(
     The lamina model needs a finite length: where a contact has none, it is left out unless requested by name.
     """
     models = case.life.made_models(dict.fromkeys(names))
-    lengths = [np.ptp(each.contact.interval) for each in (case, *others)]
+    lengths = [np.ptp(compared_case.contact.interval) for compared_case in (case, *others)]
     if names or case.life.models or np.isfinite(lengths).all():
         return models, ()
-    kept = tuple(model for model in models if isinstance(model, VolumeModel))
-    return kept, ("iso-16281 is left out: it needs a length on which the bodies can touch.",)
+    volume_models = tuple(model for model in models if isinstance(model, VolumeModel))
+    return volume_models, ("iso-16281 is left out: it needs a length on which the bodies can touch.",)
 
 
 def assessed(
@@ -150,19 +150,21 @@ def assessed(
                 contact_angle=case.life.contact_angle,
                 announce=_announcer(announce, body, len(spectrum)),
             )
-        asked = replace(case.life, models=tuple(model.name for model in models))
-        of_models = collect_assumptions({"life": asked}, None if case.origin is None else case.origin.document)
+        settings = replace(case.life, models=tuple(model.name for model in models))
+        of_models = collect_assumptions({"life": settings}, None if case.origin is None else case.origin.document)
         required = case.life.required_revolutions
-        found = Assessment(case.title, case.life.rollers, spectrum, lives, notes, required=required, assumed=of_models)
+        assessment = Assessment(
+            case.title, case.life.rollers, spectrum, lives, notes, required=required, assumed=of_models
+        )
         dent = case.life.dent
         if dent is None:
-            return found
+            return assessment
         announce("dent")
-        if not any(isinstance(life.model, VolumeModel) for life in found.lives["b"]):
-            return replace(found, notes=(*notes, "The dent is left out: it needs a model of the stressed volume."))
-        found = replace(found, dent=overrolled(spectrum[0][0], dent.dent, body=dent.body), dents=dent.number)
-        _ = found.dent_lives  # refused here, where errors name keys of the file
-    return found
+        if not any(isinstance(life.model, VolumeModel) for life in assessment.lives["b"]):
+            return replace(assessment, notes=(*notes, "The dent is left out: it needs a model of the stressed volume."))
+        assessment = replace(assessment, dent=overrolled(spectrum[0][0], dent.dent, body=dent.body), dents=dent.number)
+        _ = assessment.dent_lives  # refused here, where errors name keys of the file
+    return assessment
 
 
 @contextlib.contextmanager

@@ -58,7 +58,7 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
     """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
     lives = life_rows(life, reason) if life is not None or reason else []
     if lives and case.spectrum:
-        share = f"{format_input(100.0 * sum(each.share for each in case.spectrum), 4)} % of revolutions"
+        share = f"{format_input(100.0 * sum(load_case.share for load_case in case.spectrum), 4)} % of revolutions"
         lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     tolerances = case.tolerances(solution, life)
     films = case.films(solution)
@@ -76,8 +76,8 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
 
 def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
     """Return what is shown of a bearing by strips and by slices."""
-    alike = [each for part in _COMPARED for each in QUANTITIES.values() if each.within == part]
-    numbers = [clean_numbers(alike, SolvedBearing(case, each)) for each in (strips, slices)]
+    alike = [quantity for part in _COMPARED for quantity in QUANTITIES.values() if quantity.within == part]
+    numbers = [clean_numbers(alike, SolvedBearing(case, solution)) for solution in (strips, slices)]
     return [
         Section("Strips beside slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
         Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
@@ -97,28 +97,31 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
         *_pressure_rows(solution),
         *_rib_rows(solution),
         *_stiffness_rows(solution),
-        *((each.label, str(each.amount(value)), "") for each, value in further(SolvedBearing(case, solution))),
+        *(
+            (quantity.label, str(quantity.amount(value)), "")
+            for quantity, value in further(SolvedBearing(case, solution))
+        ),
         *_method_rows(solution),
     ]
 
 
-def life_rows(found: BearingLife | None, reason: str) -> list[Row]:
+def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
     """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
-    if found is None:
+    if life_result is None:
         return [("life", "none", reason)]
-    rating = found.rating
+    rating = life_result.rating
 
     def beside(life: float, remark: str = "") -> str:
         """Return a remark after a life in hours, if there is one."""
         hours = ""
-        if found.speed and math.isfinite(life):
-            hours = f"{format_digits(found.hours(life), 4)} hours at {format_input(float(found.speed), 4)} 1/min"
+        if life_result.speed and math.isfinite(life):
+            hours = f"{format_digits(life_result.hours(life), 4)} hours at {format_input(float(life_result.speed), 4)} 1/min"
         return ", ".join(filter(None, (hours, remark)))
 
-    factors, of_oil = found.factors
-    safety = "none" if math.isnan(found.static_safety) else "no load"
-    if math.isfinite(found.static_safety):
-        safety = f"S0 = {format_digits(found.static_safety, 3)}"
+    factors, of_oil = life_result.factors
+    safety = "none" if math.isnan(life_result.static_safety) else "no load"
+    if math.isfinite(life_result.static_safety):
+        safety = f"S0 = {format_digits(life_result.static_safety, 3)}"
     return [
         (
             "load ratings",
@@ -127,86 +130,98 @@ def life_rows(found: BearingLife | None, reason: str) -> list[Row]:
         ),
         (
             "equivalent load",
-            f"P = {newton(found.equivalent_load):4}, P0 = {newton(found.static_load):4}",
-            LEFT_OUT if found.internally_loaded else "",
+            f"P = {newton(life_result.equivalent_load):4}, P0 = {newton(life_result.static_load):4}",
+            LEFT_OUT if life_result.internally_loaded else "",
         ),
         ("static safety", safety, ""),
         (
             "life L10",
-            of_life(found.basic_life, _REVOLUTIONS),
-            beside(found.basic_life, "ISO 281:2007"),
+            of_life(life_result.basic_life, _REVOLUTIONS),
+            beside(life_result.basic_life, "ISO 281:2007"),
         ),
         (
             "L10r",
-            of_life(found.reference_life, _REVOLUTIONS),
-            found.no_reference or beside(found.reference_life, found.basis),
+            of_life(life_result.reference_life, _REVOLUTIONS),
+            life_result.no_reference or beside(life_result.reference_life, life_result.basis),
         ),
         (
-            "rated life" if found.no_modified else "modified life",
-            of_life(found.rated_life, _REVOLUTIONS),
-            beside(found.rated_life),
+            "rated life" if life_result.no_modified else "modified life",
+            of_life(life_result.rated_life, _REVOLUTIONS),
+            beside(life_result.rated_life),
         ),
-        ("", factors, "; ".join(filter(None, (", ".join(of_oil), found.no_modified)))),
+        ("", factors, "; ".join(filter(None, (", ".join(of_oil), life_result.no_modified)))),
     ]
 
 
-def kinematic_rows(found: Kinematics | None) -> list[Row]:
+def kinematic_rows(kinematics: Kinematics | None) -> list[Row]:
     """Return name, value and remark of speeds and of frequencies of over-rolling, with their orders; none at rest."""
-    if found is None:
+    if kinematics is None:
         return []
     rows = [
-        ("cage", found.cage_speed / 60.0, f"{format_digits(found.cage_speed, 5)} 1/min", ""),
+        ("cage", kinematics.cage_speed / 60.0, f"{format_digits(kinematics.cage_speed, 5)} 1/min", ""),
         (
             "rollers",
-            found.roller_speed / 60.0,
-            f"{format_digits(found.roller_speed, 5)} 1/min",
+            kinematics.roller_speed / 60.0,
+            f"{format_digits(kinematics.roller_speed, 5)} 1/min",
             "about their axes, against the cage, ",
         ),
-        ("over-rolling", found.inner_frequency, f"{format_digits(found.inner_frequency, 5)} Hz", "inner ring, BPFI, "),
-        ("", found.outer_frequency, f"{format_digits(found.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
+        (
+            "over-rolling",
+            kinematics.inner_frequency,
+            f"{format_digits(kinematics.inner_frequency, 5)} Hz",
+            "inner ring, BPFI, ",
+        ),
+        ("", kinematics.outer_frequency, f"{format_digits(kinematics.outer_frequency, 5)} Hz", "outer ring, BPFO, "),
         (
             "",
-            found.roller_frequency,
-            f"{format_digits(found.roller_frequency, 5)} Hz",
+            kinematics.roller_frequency,
+            f"{format_digits(kinematics.roller_frequency, 5)} Hz",
             "rollers, twice in a turn, 2 BSF, ",
         ),
     ]
     return [
-        (name, value, f"{what}order {format_digits(abs(each) / found.shaft_frequency, 4)}")
-        for name, each, value, what in rows
+        (name, value, f"{what}order {format_digits(abs(frequency) / kinematics.shaft_frequency, 4)}")
+        for name, frequency, value, what in rows
     ]
 
 
-def tolerance_section(case: BearingCase, found: Tolerances) -> Section:
+def tolerance_section(case: BearingCase, tolerances: Tolerances) -> Section:
     """Return interferences, clearance and results at the least, the likely and the greatest clearance."""
-    row, ranges = case.bearing.rows[0].bearing, found.clearance
+    row, ranges = case.bearing.rows[0].bearing, tolerances.clearance
     # Radial and axial clearances of a tapered row are proportional.
     tapered = isinstance(row, TaperedRollerBearing)
     factor, way = (0.5 / math.tan(row.nominal_angle), "axial") if tapered else (1.0, "radial")
     clearances = {"unmounted": ranges.unmounted, "mounted": ranges.mounted, "in operation": ranges.operating}
     interferences = {"on shaft": ranges.shaft, "in housing": ranges.housing}
-    lengths = {f"interference {where}": each for where, each in interferences.items() if each is not None}
+    lengths = {
+        f"interference {where}": length_range
+        for where, length_range in interferences.items()
+        if length_range is not None
+    }
     # The greatest interference leaves the least clearance.
-    rows = [_range_row(name, each, Range.AT[::-1]) for name, each in lengths.items()]
-    rows += [_range_row(f"{way} clearance {when}", each.scaled(factor)) for when, each in clearances.items()]
-    for name, each in found.results.items():
-        values = QUANTITIES[name].amount(*(each.at(which) for which in Range.AT))
+    rows = [_range_row(name, length_range, Range.AT[::-1]) for name, length_range in lengths.items()]
+    rows += [
+        _range_row(f"{way} clearance {when}", clearance_range.scaled(factor))
+        for when, clearance_range in clearances.items()
+    ]
+    for name, result_range in tolerances.results.items():
+        values = QUANTITIES[name].amount(*(result_range.at(which) for which in Range.AT))
         if any(map(math.isfinite, values.values)):
             rows.append(_row_of(f"{QUANTITIES[name].label} {QUANTITIES[name].symbol}".strip(), values))
     heads = ("", "least clearance", "likely", "greatest clearance", "99.7 % within")
     return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Said([_OF_TOLERANCES])])
 
 
-def _range_row(name: str, found: Range, order: Sequence[str] = Range.AT) -> tuple[str, ...]:
+def _range_row(name: str, length_range: Range, order: Sequence[str] = Range.AT) -> tuple[str, ...]:
     """Return a row of a length at the limits."""
-    probable = "" if found.known else " to ".join(um(*found.probable).apart("4")[0])
-    return _row_of(name, um(*(found.at(which) for which in order)), probable)
+    probable = "" if length_range.known else " to ".join(um(*length_range.probable).apart("4")[0])
+    return _row_of(name, um(*(length_range.at(which) for which in order)), probable)
 
 
 def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
     """Return a row of three values in the unit of the largest."""
     factor, unit = values.scale
-    texts = (format_digits(factor * each, 4) if math.isfinite(each) else ABSENT for each in values.values)
+    texts = (format_digits(factor * value, 4) if math.isfinite(value) else ABSENT for value in values.values)
     return f"{name} [{unit}]", *texts, probable
 
 
@@ -216,7 +231,8 @@ def roller_table(solution: BearingSolution, films: Films | None = None) -> Table
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
     (load, of_load), (rib, of_rib), (pressure, of_pressure) = (
-        each.scale for each in (newton(*solution.load.flat), newton(*solution.rib_load.flat), mpa(*pressures.flat))
+        amounts.scale
+        for amounts in (newton(*solution.load.flat), newton(*solution.rib_load.flat), mpa(*pressures.flat))
     )
     least = np.zeros(solution.load.shape) if films is None else np.nan_to_num(films.least_film)
     film, of_film = um(*least.flat).scale
@@ -244,16 +260,16 @@ def roller_table(solution: BearingSolution, films: Films | None = None) -> Table
 
 def clean(quantity: Quantity, solved: SolvedBearing) -> float:
     """Return a number, zero where it is rounding beside the largest load or motion; nan where there is none."""
-    value, found = number_of(quantity, solved), solved.solution
-    load, moved = float(found.load.max()), float(np.max(np.abs(found.displacement[:3])))
-    pitch = found.bearing.rows[0].bearing.pitch
+    value, solution = number_of(quantity, solved), solved.solution
+    load, moved = float(solution.load.max()), float(np.max(np.abs(solution.displacement[:3])))
+    pitch = solution.bearing.rows[0].bearing.pitch
     largest = {"N": load, "N mm": load * pitch, "mm": moved, "rad": moved / pitch}.get(quantity.unit, 0.0)
     return 0.0 if abs(value) <= NO_LOAD * largest else value
 
 
 def clean_numbers(quantities: Iterable[Quantity], solved: SolvedBearing) -> dict[str, float]:
     """Return numbers by name, zero where they are rounding; nan where there is none."""
-    return {each.name: clean(each, solved) for each in quantities}
+    return {quantity.name: clean(quantity, solved) for quantity in quantities}
 
 
 def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
@@ -286,7 +302,7 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
     row = bearing.rows[0].bearing
     rows = len(bearing.rows)
     size = f"{row.rollers}, {mm(row.roller_diameter, row.roller_length, between=' x '):g}"
-    found = [
+    table = [
         ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
         ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {mm(row.pitch):g}"),
     ]
@@ -295,16 +311,16 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
         when, shown = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
         of_group = f", the mean of {group}" if group else ""
-        found.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}{of_group}"))
+        table.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}{of_group}"))
         if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
-            found.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
+            table.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
-        found.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
+        table.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
         # To 10 nm: that for a preload, or by temperatures, is given by nobody.
         between = um(round(bearing.clearance, 5))
-        found.append(("clearance of the rows", f"{between:g}", "axial"))
-    return found
+        table.append(("clearance of the rows", f"{between:g}", "axial"))
+    return table
 
 
 def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
@@ -316,19 +332,19 @@ def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
 
 def _fit_rows(case: BearingCase) -> list[Row]:
     """Return what is left of the clearance before mounting, and what takes it; axial ones of tapered rows."""
-    found = case.operating_clearance
-    if found is None or case.fit is None:
+    operating = case.operating_clearance
+    if operating is None or case.fit is None:
         return []
     row = case.bearing.rows[0].bearing
     # Radial and axial clearances of a tapered row are proportional.
     factor, way = 1.0, "radial"
     if isinstance(row, TaperedRollerBearing):
         factor, way = 0.5 / math.tan(row.nominal_angle), "axial"
-    rows = [("before mounting", f"{um(factor * found.unmounted):g}", way)]
-    rows += [("", f"{um(factor * key.value(found)):4}", key.meaning) for key in LOSSES]
+    rows = [("before mounting", f"{um(factor * operating.unmounted):g}", way)]
+    rows += [("", f"{um(factor * key.value(operating)):4}", key.meaning) for key in LOSSES]
     if isinstance(case.bearing, Paired):
         rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "given by temperatures between rows"))
-    for ring, fit in (("inner", found.inner), ("outer", found.outer)):
+    for ring, fit in (("inner", operating.inner), ("outer", operating.outer)):
         loose = ", loosened" if fit.loosened else ""
         value = f"{mpa(fit.pressure):4}{loose}"
         rows.append((f"{ring} fit", value, f"{mpa(fit.mounted_pressure):4} when mounted"))
@@ -366,7 +382,7 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
 
 def _zones(solution: BearingSolution) -> str:
     """Return in words from which to which roller loaded ones follow each other, for every row."""
-    said = []
+    sentences = []
     for number, row in enumerate(solution.bearing.rows, start=1):
         angle, loaded = solution.angle[row.rollers], carrying(solution)[row.rollers]
         starts, ends = (angle[loaded & ~np.roll(loaded, step)] for step in (1, -1))
@@ -381,8 +397,8 @@ def _zones(solution: BearingSolution) -> str:
         here = f"{' and '.join(words)} degrees" if words else "none"
         if loaded.all() and row.bearing.rollers > 1:
             here = "all round"
-        said.append(f"row {number}: {here}" if len(solution.bearing.rows) > 1 else here)
-    return "; ".join(said)
+        sentences.append(f"row {number}: {here}" if len(solution.bearing.rows) > 1 else here)
+    return "; ".join(sentences)
 
 
 def _tilts(solution: BearingSolution) -> NDArray[np.float64]:
@@ -422,8 +438,8 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
 def _stiffness_rows(solution: BearingSolution) -> list[Row]:
     diagonal = np.diag(solution.stiffness)
     pitch = solution.bearing.rows[0].bearing.pitch
-    found = without_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
-    rows = [("stiffness", str(amount(found[:3], "N/mm", "N/um")), "along x, y, z")]
+    stiffness = without_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
+    rows = [("stiffness", str(amount(stiffness[:3], "N/mm", "N/um")), "along x, y, z")]
     ready = [str(j + 1) for j in solution.edge_rollers]
     if ready:
         who = f"rollers {', '.join(ready)} stand" if 1 < len(ready) < 5 else f"{len(ready)} rollers stand"
@@ -437,7 +453,7 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
         )
     return [
         *rows,
-        ("", str(amount(found[3:], "N mm/rad", "N m/mrad")), "about y, z"),
+        ("", str(amount(stiffness[3:], "N mm/rad", "N m/mrad")), "about y, z"),
     ]
 
 

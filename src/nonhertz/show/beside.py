@@ -51,7 +51,7 @@ class Compared:
     def _differences(self) -> list[str]:
         first, *others = self.amount.values
         shown = (replace(self.amount, values=(value - first,)) for value in others)
-        signed = (f"{'+' * (each.values[0] > 0.0)}{each:.2g}" for each in shown)
+        signed = (f"{'+' * (difference.values[0] > 0.0)}{difference:.2g}" for difference in shown)
         return ["", *(words if math.isfinite(value) else "" for words, value in zip(signed, others, strict=True))]
 
 
@@ -66,13 +66,13 @@ def changes(values: Sequence[float], scale: float | None = None) -> list[str]:
     first, *others = values
     scale = abs(first) if scale is None else scale
     relative = [(value - first) / scale if scale else math.nan for value in others]
-    words = (percent(each, 3) if abs(each) >= _NOTICED else "0 %" for each in relative)
-    return ["", *(word if math.isfinite(each) else "" for word, each in zip(words, relative, strict=True))]
+    words = (percent(change, 3) if abs(change) >= _NOTICED else "0 %" for change in relative)
+    return ["", *(word if math.isfinite(change) else "" for word, change in zip(words, relative, strict=True))]
 
 
 def compared(quantities: Iterable[Quantity], results: Sequence[Mapping[str, float]]) -> list[Compared]:
     """Return quantities of results, given by name, as far as one of the results has them and they are not all zero."""
-    rows = ((each, [values.get(each.name, math.nan) for values in results]) for each in quantities)
+    rows = ((quantity, [values.get(quantity.name, math.nan) for values in results]) for quantity in quantities)
     return [
         Compared(quantity.label, quantity.amount(*values))
         for quantity, values in rows

@@ -24,15 +24,15 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     missing = [f"bearing.{name}" for name in ("series", "bore", "outside_diameter") if getattr(row, name) is None]
     missing += [] if case.prescribed.speed else ["load.speed"]
     missing += [] if case.lubrication.in_place.viscosity else ["an oil in [lubrication]"]
-    found, limit = case.friction(solution), case.thermal_speed
+    friction, limit = case.friction(solution), case.thermal_speed
     rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "none published for such rows")]
-    if found is not None:
+    if friction is not None:
         rows = [
-            ("friction torque", f"{newton_mm(found.torque):3}", "empirical, after Palmgren"),
-            ("", f"{newton_mm(found.speed_torque):3}", "by speed and oil, M0"),
-            ("", f"{newton_mm(found.load_torque):3}", "by load, M1"),
-            *([("", "not known", "by ribs, M2: published as a chart")] if found.axial else []),
-            ("power loss", f"{format_digits(found.power, 3)} W", ""),
+            ("friction torque", f"{newton_mm(friction.torque):3}", "empirical, after Palmgren"),
+            ("", f"{newton_mm(friction.speed_torque):3}", "by speed and oil, M0"),
+            ("", f"{newton_mm(friction.load_torque):3}", "by load, M1"),
+            *([("", "not known", "by ribs, M2: published as a chart")] if friction.axial else []),
+            ("power loss", f"{format_digits(friction.power, 3)} W", ""),
         ]
     if limit is not None:
         rows.append(("thermal speed", f"{format_digits(limit, 3)} 1/min", "rating of ISO 15312"))
@@ -44,4 +44,4 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
 def limit_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     """Return how the bearing compares with what makers publish: name, whether it is met, and the sentence."""
     words = {True: "met", False: "not met", None: "not judged"}
-    return [(_NAMES[each.kind], words[met], str(each)) for met, each in case.limits(solution)]
+    return [(_NAMES[limit.kind], words[met], str(limit)) for met, limit in case.limits(solution)]

@@ -26,15 +26,19 @@ _HEADS = ("", "life against ideal profile: a", "b", "L10 [10^6 rev]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 
-def sections(found: Assessment) -> list[Section]:
+def sections(assessment: Assessment) -> list[Section]:
     """Return what is shown of the lives of a case: by each model both lives, revolutions and what is integrated."""
     rows = [
-        (life.model.name, *_lives(found, number), _integrand(life.model))
-        for number, life in enumerate(found.lives["a"])
+        (life.model.name, *_lives(assessment, number), _integrand(life.model))
+        for number, life in enumerate(assessment.lives["a"])
     ]
     heads = (*_HEADS, "damage")
-    assumptions = [summary(assumed_rows(found.assumed))] if found.assumed else []
-    return [Section("Life", [loads_table(found), Table(rows, heads, (0, 4)), *assumptions, Said(sentences(found))])]
+    assumptions = [summary(assumed_rows(assessment.assumed))] if assessment.assumed else []
+    return [
+        Section(
+            "Life", [loads_table(assessment), Table(rows, heads, (0, 4)), *assumptions, Said(sentences(assessment))]
+        )
+    ]
 
 
 def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Section:
@@ -43,83 +47,94 @@ def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Sectio
     rows: list[Cells] = []
     for number, life in enumerate(first.lives["a"] if first else ()):
         for body in BODIES:
-            cells = [_beside_first(each, first, body, number) for each in (first, *others)]
+            cells = [_beside_first(assessment, first, body, number) for assessment in (first, *others)]
             rows.append((f"{life.model.name}, body {body}", *cells))
-    without = dict.fromkeys(words for each in others if first and each for words in _without_ratio(each, first))
+    without = dict.fromkeys(
+        words for assessment in others if first and assessment for words in _without_ratio(assessment, first)
+    )
     table = replace(beside(rows, labels, "Life relative to the ideal one"), remarks="ratio")
     return Section("Lives", [table, Said([RATIO, *without])])
 
 
-def _beside_first(found: Assessment | None, first: Assessment | None, body: BodyName, number: int) -> Cell:
-    if found is None or first is None:
+def _beside_first(assessment: Assessment | None, first: Assessment | None, body: BodyName, number: int) -> Cell:
+    if assessment is None or first is None:
         return Cell(ABSENT)
-    ratio = math.nan if found is first else found.over(first, body, number)
-    relative = of_life(found.lives[body][number].relative_life)
+    ratio = math.nan if assessment is first else assessment.over(first, body, number)
+    relative = of_life(assessment.lives[body][number].relative_life)
     return Cell(relative, f"× {format_digits(ratio, 4)}" if math.isfinite(ratio) else "")
 
 
-def sentences(found: Assessment) -> list[str]:
+def sentences(assessment: Assessment) -> list[str]:
     """Return what the reader needs to know to interpret the numbers."""
     lines = [_IDEAL]
-    lives = [life for body in BODIES for life in found.lives[body]]
+    lives = [life for body in BODIES for life in assessment.lives[body]]
     if any(math.isnan(life.reference) for life in lives):
         lines.append("none: the bodies can touch over an unlimited length, along which no load can be spread evenly.")
     elif any(math.isnan(life.relative_life) for life in lives):
         lines.append("none: there is no damage, not even under the ideal pressure.")
     if any(life.relative_life == 0.0 for life in lives):
         lines.append("0: under the ideal pressure there is no damage.")
-    if any(found.million_revolutions(number) is not None for number in range(len(found.lives["a"]))):
-        bearing = "its one roller bears" if found.rollers == 1 else f"all {found.rollers} rollers bear"
-        load = "this load" if len(found.spectrum) == 1 else "these loads"
-        lines.append(f"L10 is the life of the ring, body {found.raceway}, that 90 % reach where {bearing} {load}.")
+    if any(assessment.million_revolutions(number) is not None for number in range(len(assessment.lives["a"]))):
+        bearing = "its one roller bears" if assessment.rollers == 1 else f"all {assessment.rollers} rollers bear"
+        load = "this load" if len(assessment.spectrum) == 1 else "these loads"
+        lines.append(f"L10 is the life of the ring, body {assessment.raceway}, that 90 % reach where {bearing} {load}.")
     else:
-        of_ring = found.lives[found.raceway or "b"]
+        of_ring = assessment.lives[assessment.raceway or "b"]
         why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
         lines += [f"No life in revolutions: {reason}." for reason in why]
-    return lines + _of_dents(found)
+    return lines + _of_dents(assessment)
 
 
-def _of_dents(found: Assessment) -> list[str]:
+def _of_dents(assessment: Assessment) -> list[str]:
     """Return by how much dents shorten the life, in a sentence, if there are any."""
-    if found.dent is None:
+    if assessment.dent is None:
         return []
-    per_area, dents = found.dents.get("per_area"), found.dents.get("dents", 1)
+    per_area, dents = assessment.dents.get("per_area"), assessment.dents.get("dents", 1)
     number = (
         f"{dents:g} dent{'s' * (dents != 1)}" if per_area is None else f"{per_area:.4g} dents on a square millimetre"
     )
-    lives = ", ".join(f"{of_life(life)} ({name})" for name, life in found.dent_lives.items())
+    lives = ", ".join(f"{of_life(life)} ({name})" for name, life in assessment.dent_lives.items())
     verb = "leaves" if (per_area, dents) == (None, 1) else "leave"
-    lines = [f"{number} in the raceway of body {found.dent.body} {verb} this part of its life: {lives}."]
-    if any(getattr(life.model, "stress", "") == "orthogonal_shear" for life in found.lives["b"]):
+    lines = [f"{number} in the raceway of body {assessment.dent.body} {verb} this part of its life: {lives}."]
+    if any(getattr(life.model, "stress", "") == "orthogonal_shear" for life in assessment.lives["b"]):
         lines.append("The range of the orthogonal shear hardly sees dents: judge them by models of maximum shear.")
     return lines
 
 
-def _without_ratio(found: Assessment, other: Assessment) -> list[str]:
+def _without_ratio(assessment: Assessment, other: Assessment) -> list[str]:
     """Return why lives by the lamina model cannot be compared, if they cannot."""
-    names = [life.model.name for life in found.lives["b"]]
-    if "iso-16281" in names and math.isnan(found.over(other, "b", names.index("iso-16281"))):
+    names = [life.model.name for life in assessment.lives["b"]]
+    if "iso-16281" in names and math.isnan(assessment.over(other, "b", names.index("iso-16281"))):
         return ["No ratio by iso-16281: laminae of a raceway are not compared with those of a contact without one."]
     return []
 
 
-def loads_table(found: Assessment) -> Table:
+def loads_table(assessment: Assessment) -> Table:
     """Return share, load, tilt, largest pressure and verdict of every load."""
-    solutions = [solution for solution, _ in found.spectrum]
-    loads, pressures = newton(*(each.load for each in solutions)), mpa(*(each.max_pressure for each in solutions))
-    tilts = mrad(*(each.tilt for each in solutions))
+    solutions = [solution for solution, _ in assessment.spectrum]
+    loads, pressures = (
+        newton(*(solution.load for solution in solutions)),
+        mpa(*(solution.max_pressure for solution in solutions)),
+    )
+    tilts = mrad(*(solution.tilt for solution in solutions))
     heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"largest p0 [{pressures.scale[1]}]", "")
-    columns = (each.apart()[0] for each in (loads, tilts, pressures))
+    columns = (amounts.apart()[0] for amounts in (loads, tilts, pressures))
     rows: list[tuple[str, ...]] = [
-        (f"{100.0 * share:.4g} %", load, tilt, pressure, verdict.level.value if (verdict := of_contact(each)) else "")
-        for (each, share), load, tilt, pressure in zip(found.spectrum, *columns, strict=True)
+        (
+            f"{100.0 * share:.4g} %",
+            load,
+            tilt,
+            pressure,
+            verdict.level.value if (verdict := of_contact(solution)) else "",
+        )
+        for (solution, share), load, tilt, pressure in zip(assessment.spectrum, *columns, strict=True)
     ]
     return Table(rows, heads, (4,))
 
 
-def _lives(found: Assessment, number: int) -> tuple[str, ...]:
-    revolutions = found.million_revolutions(number)
-    relative = (of_life(found.lives[body][number].relative_life) for body in BODIES)
+def _lives(assessment: Assessment, number: int) -> tuple[str, ...]:
+    revolutions = assessment.million_revolutions(number)
+    relative = (of_life(assessment.lives[body][number].relative_life) for body in BODIES)
     return *relative, "" if revolutions is None else of_life(revolutions)
 
 

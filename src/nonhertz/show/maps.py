@@ -8,14 +8,16 @@ from nonhertz.maps.misses import SAFETY
 from nonhertz.show.sections import Row, Said, Section, summary
 
 
-def sections(found: ContactMap) -> list[Section]:
+def sections(contact_map: ContactMap) -> list[Section]:
     """Return what is shown of a map."""
-    pressed = (newton if found.given == "load" else um)(*found.pressed, between=" to ")
+    pressed = (newton if contact_map.given == "load" else um)(*contact_map.pressed, between=" to ")
     rows: list[Row] = [
-        (found.given, f"{pressed:.4g}", f"loads up to {newton(found.max_load)}"),
-        ("tilt", f"{mrad(*found.tilt_range, between=' to '):.4g}", ""),
-        ("cases", str(found.cases), f"{found.failed} more had no solution" if found.failed else ""),
-        *(("" if number else "error", *each) for number, each in enumerate(found.errors_in_words)),
+        (contact_map.given, f"{pressed:.4g}", f"loads up to {newton(contact_map.max_load)}"),
+        ("tilt", f"{mrad(*contact_map.tilt_range, between=' to '):.4g}", ""),
+        ("cases", str(contact_map.cases), f"{contact_map.failed} more had no solution" if contact_map.failed else ""),
+        *(("" if number else "error", *words) for number, words in enumerate(contact_map.errors_in_words)),
     ]
-    sampled = f"Errors are the largest of {found.sampled_error.points} sampled ones, times {SAFETY:g}, and no bounds."
-    return [Section("", [Said([found.description]), summary(rows), Said([sampled])])]
+    sampled = (
+        f"Errors are the largest of {contact_map.sampled_error.points} sampled ones, times {SAFETY:g}, and no bounds."
+    )
+    return [Section("", [Said([contact_map.description]), summary(rows), Said([sampled])])]

@@ -25,13 +25,13 @@ def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Sectio
 
 def rows(measured: Measured) -> list[Row]:
     """Return name and sentence of every step, the resulting relief, and the roughness."""
-    found = measured.roughness
-    low, high, most = found.main_band
+    roughness = measured.roughness
+    low, high, most = roughness.main_band
     return [
         *((state.name, state.words, "") for state in measured.states),
         ("relief", _relief(measured), ""),
-        ("roughness", f"Ra {um(found.ra):.3g}, Rq {um(found.rq):.3g}, Rz {um(found.rz):.3g} below "
-                      f"{mm(found.cutoff):.3g}; most of it, {um(most):.3g}, in waves "
+        ("roughness", f"Ra {um(roughness.ra):.3g}, Rq {um(roughness.rq):.3g}, Rz {um(roughness.rz):.3g} below "
+                      f"{mm(roughness.cutoff):.3g}; most of it, {um(most):.3g}, in waves "
                       + (f"from {mm(low, high, between=' to '):.3g}." if low else f"shorter than {mm(high):.3g}."), ""),
     ]  # fmt: skip
 

@@ -113,16 +113,16 @@ class Section(NamedTuple):
     blocks: Sequence[Block]
 
 
-def assumed_rows(found: Iterable[Finding]) -> list[Row]:
+def assumed_rows(findings: Iterable[Finding]) -> list[Row]:
     """Return what is assumed, for what is not given, and what it decides."""
-    said = [dict(each.numbers) for each in found]
-    rows = [(each["default"], f"for {each['keys']}; decides {each['decides']}") for each in said]
+    assumptions = [dict(finding.numbers) for finding in findings]
+    rows = [(numbers["default"], f"for {numbers['keys']}; decides {numbers['decides']}") for numbers in assumptions]
     return [("" if number else "assumed", *row) for number, row in enumerate(rows)]
 
 
-def assumed_section(found: Iterable[Finding]) -> Section:
+def assumed_section(findings: Iterable[Finding]) -> Section:
     """Return what is assumed as a section by itself; an empty one if nothing is."""
-    rows = assumed_rows(found)
+    rows = assumed_rows(findings)
     return Section("", [summary(rows)] if rows else [])
 
 
@@ -147,8 +147,8 @@ def with_columns_of_remarks(table: Table) -> Table:
         """Return cells of text; where one has no remark, ``remark`` is in its place."""
         made = []
         for at, cell in enumerate(cells):
-            text, said = cell if isinstance(cell, Cell) else (cell, remark)
-            made += [text, said] if at in remarked else [text]
+            text, note = cell if isinstance(cell, Cell) else (cell, remark)
+            made += [text, note] if at in remarked else [text]
         return made
 
     return replace(table, rows=[spread(row, "") for row in table.rows], heads=spread(table.heads, table.remarks))

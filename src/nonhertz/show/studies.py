@@ -52,7 +52,7 @@ def _each_row(sweep: Sweep) -> Table:
         words = any(isinstance(value, str | bool) for value in values)
         texts, unit = ([*map(str, values)], "") if words else of_dimension(values, sweep.unit(path)).apart("g")
         rows.append((path, *texts, unit))
-    for quantity in (each for each, _ in _numbers(sweep) if f"load.{each.name}" not in sweep.paths):
+    for quantity in (candidate for candidate, _ in _numbers(sweep) if f"load.{candidate.name}" not in sweep.paths):
         values = sweep[quantity.name].ravel().tolist()
         texts, unit = quantity.amount(*values).apart()
         rows.append(
@@ -80,8 +80,8 @@ def diagram_sections(diagram: Diagram) -> list[Section]:
     numbers = [of_dimension(diagram.values.tolist(), unit)]
     numbers += [quantity.amount(*sweep[quantity.name].tolist()) for quantity in diagram.quantities]
     heads = [in_words(diagram.path).lower(), *(quantity.label for quantity in diagram.quantities)]
-    columns = [_column(each, some) for each in numbers]
-    units = [each.scale[1] for each in numbers]
+    columns = [_column(values, some) for values in numbers]
+    units = [values.scale[1] for values in numbers]
     titles = [f"{head} [{read}]" if read else head for head, read in zip(heads, units, strict=True)]
     table = Table([*zip(*columns, strict=True)], titles, ())
     return [
@@ -96,55 +96,55 @@ def _column(numbers: Amount, rows: NDArray[np.intp]) -> list[str]:
     return ["" if math.isnan(value) else format_input(value, 4) for value in chosen.tolist()]
 
 
-def tolerance_sections(found: Tolerance) -> list[Section]:
+def tolerance_sections(study: Tolerance) -> list[Section]:
     """Return what is shown of a tolerance study: what is distributed, quantiles, what matters, and why rows failed."""
-    sweep = found.sweep
-    shown = [quantity for quantity, _ in _numbers(sweep) if quantity in found.main]
+    sweep = study.sweep
+    shown = [quantity for quantity, _ in _numbers(sweep) if quantity in study.main]
     others = [
         quantity.label
         for quantity, (low, high) in _numbers(sweep)
-        if quantity not in found.main and quantity in found.results and low < high
+        if quantity not in study.main and quantity in study.results and low < high
     ]
     tables = [
         Table([*(row[:2] for row in _varied(sweep)), *assumed_rows(sweep.assumed)]),
-        _quantiles(found, shown),
-        _capabilities(found),
-        *_indices(found, [quantity for quantity in shown if quantity in found.results]),
+        _quantiles(study, shown),
+        _capabilities(study),
+        *_indices(study, [quantity for quantity in shown if quantity in study.results]),
         Table(list(_strained(sweep))),
     ]
-    blocks: list[list[Block]] = [[each] for each in tables if each.rows]
-    words: Block = Said([f"{_counted(sweep)}; {found.independent.size} independent samples"])
+    blocks: list[list[Block]] = [[study_table] for study_table in tables if study_table.rows]
+    words: Block = Said([f"{_counted(sweep)}; {study.independent.size} independent samples"])
     if others:
         blocks.append([Said([f"In tolerance.json, too: {', '.join(others)}."])])
     blocks[-1:] = [[*blocks[-1], Said(_failures(sweep), "warning")]]
-    return [Section("", each) for each in [[words], *blocks]]
+    return [Section("", section_blocks) for section_blocks in [[words], *blocks]]
 
 
-def design_sections(found: Design) -> list[Section]:
+def design_sections(design: Design) -> list[Section]:
     """Return what is shown of a design: the goal before and after, what is best, how flat that is, and the searches."""
 
     def read(path: str, value: float) -> str:
-        return f"{of_dimension([value], found.units.get(path, '')):4}"
+        return f"{of_dimension([value], design.units.get(path, '')):4}"
 
     def all_of(values: Mapping[str, Any]) -> str:
         return ", ".join(read(path, value) for path, value in values.items() if isinstance(value, float))
 
     bands = [
         (f"{100.0 * band.cost:g} %", read(band.path, band.low), read(band.path, band.high), band.path)
-        for band in found.bands
+        for band in design.bands
     ]
     starts = []
-    for start in found.starts:
-        value = str(amount(start.value, "MPa" if found.goal == "pressure" else ""))
+    for start in design.starts:
+        value = str(amount(start.value, "MPa" if design.goal == "pressure" else ""))
         value += "" if start.meets else ", limits not met"
         value = value if math.isfinite(start.value) else f"failed: {start.failure}"
         starts.append((value, f"{len(start.history)} points", all_of(start.begun), all_of(start.ended)))
     tables = [
-        summary(_best(found, read)),
+        summary(_best(design, read)),
         Table(bands, ("as good within", "from", "to", "")),
         Table(starts, ("searches", "looked at", "from", "to")),
     ]
-    return [Section("", [each]) for each in tables if each.rows]
+    return [Section("", [study_table]) for study_table in tables if study_table.rows]
 
 
 def _numbers(sweep: Sweep) -> Iterator[tuple[Quantity, tuple[float, float]]]:
@@ -175,31 +175,32 @@ def _varied(sweep: Sweep) -> Iterator[Row]:
             yield path, _ends(spread, unit), f"{len(spread)} values" if len(spread) > 1 else "1 value"
 
 
-def _quantiles(found: Tolerance, spread: Sequence[Quantity]) -> Table:
+def _quantiles(study: Tolerance, spread: Sequence[Quantity]) -> Table:
     """Return several rows for every quantity."""
     rows: list[tuple[str, ...]] = []
     for quantity in spread:
-        label, quantiles = quantity.label, found.quantiles(quantity.name)
-        numbers = [number for each in quantiles for number in (each.low, each.value, each.high)]
+        label, quantiles = quantity.label, study.quantiles(quantity.name)
+        numbers = [number for quantile in quantiles for number in (quantile.low, quantile.value, quantile.high)]
         texts, unit = quantity.amount(*numbers).apart()
-        for k, each in enumerate(quantiles):
+        for k, quantile in enumerate(quantiles):
             low, value, high = texts[3 * k : 3 * k + 3]
-            between = f"{low} to {high}" if math.isfinite(each.low + each.high) else "too few samples to say"
-            rows.append((label, f"{100.0 * each.share:g} %", value, unit, between))
+            between = f"{low} to {high}" if math.isfinite(quantile.low + quantile.high) else "too few samples to say"
+            rows.append((label, f"{100.0 * quantile.share:g} %", value, unit, between))
             label = ""
     return Table(rows, ("", "share", "below", "", "95 % certain between"), (0, 3, 4))
 
 
-def _capabilities(found: Tolerance) -> Table:
+def _capabilities(study: Tolerance) -> Table:
     """Return a row for every limit: the share beyond it with its interval, Cpk, and the share if it were normal."""
-    labels, rows = {quantity.name: quantity for quantity in found.main}, []
-    for each in found.capabilities:
-        quantity = labels[each.quantity]
+    labels, rows = {quantity.name: quantity for quantity in study.main}, []
+    for capability in study.capabilities:
+        quantity = labels[capability.quantity]
         share, low, high, normal = (
-            f"{format_input(100.0 * number, 2)} %" for number in (each.share, each.low, each.high, each.normal_share)
+            f"{format_input(100.0 * number, 2)} %"
+            for number in (capability.share, capability.low, capability.high, capability.normal_share)
         )
-        limit = f"{each.kind} {quantity.amount(each.limit):g}"
-        rows.append((quantity.label, limit, share, f"{low} to {high}", f"{each.cpk:.2f}", normal))
+        limit = f"{capability.kind} {quantity.amount(capability.limit):g}"
+        rows.append((quantity.label, limit, share, f"{low} to {high}", f"{capability.cpk:.2f}", normal))
     return Table(rows, ("limit", "", "beyond", "95 % certain between", "Cpk", "beyond if normal"), (0, 1, 3))
 
 
@@ -212,22 +213,22 @@ def _strained(sweep: Sweep) -> Iterator[Row]:
             yield quantity.label, format_input(largest), "at most; a sweep over the same samples says which"
 
 
-def _indices(found: Tolerance, results: Sequence[Quantity]) -> Iterator[Table]:
+def _indices(study: Tolerance, results: Sequence[Quantity]) -> Iterator[Table]:
     """Yield for every result what its variance is due to, most important first, and which tolerance to tighten."""
     for quantity in results:
-        first = found.tightened_first.get(quantity.name, ())
+        first = study.tightened_first.get(quantity.name, ())
         mark = "tighten this first" if len(first) == 1 else "tighten one of these first"
         rows: list[tuple[str, ...]] = []
-        for each in found.indices(quantity.name):
+        for index in study.indices(quantity.name):
             alone, total = (
                 f"{100.0 * share:.0f} % ({100.0 * low:.0f} to {100.0 * high:.0f})"
                 for share, low, high in (
-                    (each.first, each.first_low, each.first_high),
-                    (each.total, each.total_low, each.total_high),
+                    (index.first, index.first_low, index.first_high),
+                    (index.total, index.total_low, index.total_high),
                 )
             )
-            remark = "operating load" if is_operating_load(each.path) else mark if each.path in first else ""
-            rows.append((each.path, alone, total, remark))
+            remark = "operating load" if is_operating_load(index.path) else mark if index.path in first else ""
+            rows.append((index.path, alone, total, remark))
         yield Table(rows, (f"variance of {quantity.label}", "alone", "in total", ""), (0, 3))
 
 
@@ -240,7 +241,7 @@ def _failures(sweep: Sweep) -> list[str]:
     rest = sweep.failed - sum(times for _, times, _ in reasons)
     if rest:
         shown.append(f"{rest} more rows for other reasons.")
-    if "modified_life" in [each.name for each in sweep.quantities] and sweep.extremes("modified_life") is None:
+    if "modified_life" in [quantity.name for quantity in sweep.quantities] and sweep.extremes("modified_life") is None:
         shown.append(f"No modified life: {NO_OIL}.")
     return shown
 
@@ -252,17 +253,17 @@ def _ends(spread: Spread, unit: str) -> str:
     return f"{of_dimension((spread[0], spread[-1])[: len(spread)], unit):g}"
 
 
-def _best(found: Design, read: Callable[[str, float], str]) -> Iterator[Row]:
+def _best(design: Design, read: Callable[[str, float], str]) -> Iterator[Row]:
     """Yield the goal before and after, what is best, and the worst load."""
-    if found.goal == "pressure":
-        before = f"{mpa(found.before)}" if math.isfinite(found.before) else "no solution"
-        yield "largest pressure", f"{mpa(found.value)}", f"before: {before}"
+    if design.goal == "pressure":
+        before = f"{mpa(design.before)}" if math.isfinite(design.before) else "no solution"
+        yield "largest pressure", f"{mpa(design.value)}", f"before: {before}"
     else:
-        yield "life", f"{format_digits(found.value)} times that before", ""
-    for path, value in found.values.items():
+        yield "life", f"{format_digits(design.value)} times that before", ""
+    for path, value in design.values.items():
         if isinstance(value, float):
             yield path, read(path, value), ""
         else:
-            yield path, "free", f"{len(value)} steps, up to {um(float(np.nanmax(found.relief[1])))}"
-    yield "worst load", found.worst, ""
-    yield "searches that agree", f"{found.agreeing} of {len(found.starts)}", "within 1 %"
+            yield path, "free", f"{len(value)} steps, up to {um(float(np.nanmax(design.relief[1])))}"
+    yield "worst load", design.worst, ""
+    yield "searches that agree", f"{design.agreeing} of {len(design.starts)}", "within 1 %"

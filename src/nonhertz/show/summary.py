@@ -35,18 +35,18 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
 
     Quantities that were given are marked as such.
     """
-    estimate, told = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
+    estimate, shows_penetration = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
     # The error is that of the penetration, which is nearly the approach where it is not told.
-    errors = {"penetration" if told else "approach": estimate.approach, "load": estimate.load}
-    given = dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
-    remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()} | given
+    errors = {"penetration" if shows_penetration else "approach": estimate.approach, "load": estimate.load}
+    prescribed = dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
+    remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()} | prescribed
     remarks |= {"max_half_width": ("away from singular ends", "")} if solution.singular_ends else {}
     rows = [("status", solution.status.label, "")]
     for name in (*_FIRST, *(name for name in QUANTITIES if name not in _FIRST)):
         quantity = QUANTITIES[name]
         if name in _ROWS:
             rows += _ROWS[name](solution)
-        elif told or name != "penetration":
+        elif shows_penetration or name != "penetration":
             remark, spec = remarks.get(name, ("", ""))
             rows.append((quantity.label, quantity.text(solution, spec), remark))
     for name, body in zip(BODIES, (solution.contact.a, solution.contact.b), strict=True):
@@ -58,15 +58,18 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
 
 def overview_table(attempts: Sequence[Attempt]) -> Table:
     """Return file, title, main quantities and remarks of each case."""
-    solved = [each.solution for each in attempts]
+    solved = [attempt.solution for attempt in attempts]
     heads, columns = [], []
     for name in _OVERVIEW:
         quantity = QUANTITIES[name]
-        values = [None if each is None else float(quantity.clean(each)) for each in solved]
+        values = [None if solution is None else float(quantity.clean(solution)) for solution in solved]
         factor, unit = quantity.amount().scale
         heads.append(f"{quantity.label} [{unit}]")
         columns.append(["" if value is None else format_digits(factor * value) for value in values])
-    rows = [(each.name, each.title, *cells, _remark(each)) for each, *cells in zip(attempts, *columns, strict=True)]
+    rows = [
+        (attempt.name, attempt.title, *cells, _remark(attempt))
+        for attempt, *cells in zip(attempts, *columns, strict=True)
+    ]
     return Table(rows, ("case", "title", *heads, ""), (0, 1, len(heads) + 2), room=_TITLE)
 
 
