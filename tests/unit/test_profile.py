@@ -429,3 +429,28 @@ def test_the_displacement_of_a_uniform_pressure_is_that_of_the_element_near_and_
     expected = SEMI_ELLIPTIC.functions(t)[0]
     for sign in (1.0, -1.0):
         np.testing.assert_allclose(uniform_pressure._displacement(sign * t), sign * expected, rtol=1e-10, atol=0.0)
+
+
+CROWN = catalogue.crown(radius=4000)
+
+
+@pytest.mark.parametrize(
+    ("profile", "typed"),
+    [
+        (catalogue.iso_logarithmic(20, 20), "iso_logarithmic(diameter=20, length=20)"),
+        (CROWN, "crown(radius=4000)"),
+        (catalogue.crown(radius=4000, centre=0.5), "crown(radius=4000, centre=0.5)"),
+        (CROWN + catalogue.chamfer(length=20, width=0.5), "crown(radius=4000) + chamfer(length=20, width=0.5)"),
+        (CROWN.scaled(0.5).shifted(-1).flipped(), "crown(radius=4000).scaled(0.5).shifted(-1).flipped()"),
+        ((CROWN + CROWN).shifted(1), "(crown(radius=4000) + crown(radius=4000)).shifted(1)"),
+        (catalogue.straight(), "straight()"),
+        (
+            catalogue.tabulated(range(100), np.linspace(0.0, 0.01, 100)),
+            "tabulated(y=(0, ..., 99), relief=(0, ..., 0.01))",
+        ),
+    ],
+    ids=str,
+)
+def test_a_profile_shows_what_was_typed_and_the_ends_of_many_points(profile, typed):
+    assert repr(profile) == typed
+    assert repr((profile, Body(position=1.0))) == f"({typed}, Body(position=1))"

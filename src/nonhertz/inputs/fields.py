@@ -43,6 +43,7 @@ Result = TypeVar("Result")
 P = ParamSpec("P")
 Method = TypeVar("Method", bound=Callable[[Any], None])
 Function = TypeVar("Function", bound=Callable[..., Any])
+_MOST_SHOWN = 6  # of the entries of a row
 _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
 
 
@@ -230,12 +231,19 @@ def mutually_exclusive_errors(cls: type[Input], provided: Mapping[str, Any]) -> 
 
 
 def short_repr(value: Any) -> str:
-    """Return the call that makes a dataclass, without what is at its default or not shown."""
+    """Return the call that makes a dataclass as people type it, without what is at its default or not shown."""
     values = {
         field.name: (getattr(value, field.name), default_of(field)) for field in dataclasses.fields(value) if field.repr
     }
-    arguments = (f"{name}={actual!r}" for name, (actual, usual) in values.items() if actual != usual)
+    arguments = (f"{name}={_short(actual)}" for name, (actual, usual) in values.items() if actual != usual)
     return f"{type(value).__name__}({', '.join(arguments)})"
+
+
+def _short(value: Any) -> str:
+    """Return a value as people type it, the ends alone of many."""
+    if isinstance(value, tuple) and len(value) > _MOST_SHOWN:
+        return f"({_short(value[0])}, ..., {_short(value[-1])})"
+    return repr(value).removesuffix(".0") if isinstance(value, float) else repr(value)
 
 
 def default_of(field: dataclasses.Field[Any]) -> Any:

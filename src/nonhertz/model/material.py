@@ -75,7 +75,7 @@ class Material(Input):
     >>> round(steel.shear_modulus)
     79615
     >>> Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness="60 HRC")
-    Material(modulus=207000.0, poisson=0.3, yield_strength=1800.0, hardness='60 HRC')
+    Material(modulus=207000, poisson=0.3, yield_strength=1800, hardness='60 HRC')
     """
 
     modulus: Annotated[

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.inputs.checks import finite, numbers
+from nonhertz.inputs.fields import short_repr
 
 Array = NDArray[np.float64]
 
@@ -49,12 +50,14 @@ class Profile(ABC):
 
     # Kind and parameters in the catalogue; None if not from it. Not a field, so that equal reliefs compare equal.
     _called: tuple[str, dict[str, Any]] | None = None
+    _call = ""  # as people type it
 
-    def called(self, kind: str, **parameters: Any) -> Profile:
+    def with_entry(self, kind: str, parameters: object) -> Profile:
         """Return this profile with the kind and parameters that describe it in a case file; None is left out."""
         named = copy.copy(self)
-        described = {name: value for name, value in parameters.items() if value is not None}
+        described = {name: value for name, value in vars(parameters).items() if value is not None}
         object.__setattr__(named, "_called", (kind, described))
+        object.__setattr__(named, "_call", repr(parameters))
         return named
 
     @property
@@ -125,12 +128,18 @@ class Formula(Profile):
     """A profile of this package, which computes its relief at positions that are checked once."""
 
     def __init_subclass__(cls) -> None:
+        if "__repr__" not in vars(cls):
+            cls.__repr__ = cls._show  # type: ignore[assignment, method-assign]  # not that of a dataclass
         # A class that redefines one of the two has the other by it: by its own, not by that of a class derived from it,
         # so that either may call those of its base.
         if "relief" in vars(cls) and "relief_at" not in vars(cls):
             cls.relief_at = cls.relief  # type: ignore[method-assign]
         elif "relief_at" in vars(cls) and "relief" not in vars(cls):
             cls.relief = lambda self, y: cls.relief_at(self, places(y))  # type: ignore[method-assign]
+
+    def _show(self) -> str:
+        """Return the call that makes this profile."""
+        return self._call or short_repr(self)
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
@@ -155,6 +164,9 @@ class Sum(Formula):
     """Several profiles on top of one another."""
 
     parts: tuple[Profile, ...]
+
+    def _show(self) -> str:
+        return self._call or " + ".join(map(repr, self.parts))
 
     def relief_at(self, y: Array) -> Array:
         """Return the sum of the parts' reliefs."""
@@ -196,6 +208,13 @@ class Moved(Formula):
     scale: float
     shift: float
     flip: bool
+
+    def _show(self) -> str:
+        if self._call:
+            return self._call
+        text = f"({self.profile!r})" if isinstance(self.profile, Sum) else repr(self.profile)
+        text += f".scaled({self.scale:.15g})" if self.scale != 1.0 else ""
+        return text + (f".shifted({self.shift:.15g})" if self.shift else "") + ".flipped()" * self.flip
 
     def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
         """Return this profile multiplied, shifted and flipped once more: of one without a name, the same at once."""

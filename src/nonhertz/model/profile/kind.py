@@ -65,8 +65,8 @@ def kind(
 
         @functools.wraps(function)
         def profile(*values: P.args, **keywords: P.kwargs) -> Profile:
-            parameters = vars(cls(*values, **keywords))
-            return function(**parameters).called(word, **parameters)  # type: ignore[call-arg]
+            parameters = cls(*values, **keywords)
+            return function(**vars(parameters)).with_entry(word, parameters)  # type: ignore[call-arg]
 
         profile.__doc__ = cls.__doc__
         profile.__signature__ = strip_signature(function, get_type_hints(function))  # type: ignore[attr-defined]
