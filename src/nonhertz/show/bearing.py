@@ -115,7 +115,8 @@ def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
         """Return a remark after a life in hours, if there is one."""
         hours = ""
         if life_result.speed and math.isfinite(life):
-            hours = f"{format_digits(life_result.hours(life), 4)} hours at {format_input(float(life_result.speed), 4)} 1/min"
+            speed = format_input(float(life_result.speed), 4)
+            hours = f"{format_digits(life_result.hours(life), 4)} hours at {speed} 1/min"
         return ", ".join(filter(None, (hours, remark)))
 
     factors, of_oil = life_result.factors
