@@ -56,6 +56,25 @@ def test_what_no_catalogue_has_is_refused(words, sentence, run):
 def test_a_catalogue_is_of_a_bearing(run):
     assert "must be given with --bearing" in run("new", "--catalogue", *NU206, code=2).err
     assert (
-        "must not be given with --template"
+        "--template = 'needle' must not be given with --catalogue"
         in run("new", "--bearing", "--template", "needle", "--catalogue", *NU206, code=2).err
     )
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("--designation", "NU 206"), "--designation = 'NU 206' must be given with --bearing"),
+        (("--bearing", "--designation", "NU 206", "--rexs", "a.rexs"), "must not be given with --rexs"),
+        (("--bearing", "--geometries", "own.csv"), "--geometries = 'own.csv' must be given with --designation"),
+        (("--bearing", "--designation", "NU 206", "--geometries", "no.csv"), "--geometries = 'no.csv' must be a file"),
+    ],
+)
+def test_options_of_designations_belong_together(words, sentence, run):
+    assert sentence in run("new", *words, code=2).err
+
+
+def test_a_designation_starts_a_file(run, tmp_path):
+    file = tmp_path / "nu.toml"
+    assert "nonhertz bearing" in run("new", str(file), "--bearing", "--designation", "NJ 2310").out
+    assert tomllib.loads(file.read_text(encoding="utf-8"))["title"] == "NJ 2310"

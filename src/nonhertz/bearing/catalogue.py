@@ -33,7 +33,7 @@ from nonhertz.bearing.parts import MOST_ROLLERS
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
-from nonhertz.inputs.descriptions import Quantity, Word
+from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import validate_call
 from nonhertz.life.capacity import Raceway
 from nonhertz.model import profile
@@ -46,8 +46,8 @@ class _Share:
     usual: float
     scatter: float
 
-    def misses(self, found: float) -> float:
-        return ((found - self.usual) / self.scatter) ** 2
+    def misses(self, share: float) -> float:
+        return ((share - self.usual) / self.scatter) ** 2
 
 
 @dataclass(frozen=True)
@@ -76,6 +76,7 @@ MOST_FACTOR = 1.5  # of C over that of ISO 281, either way
 _STEPS, _ROUNDS = 40, 4
 _LARGEST_BORE = 1000.0  # mm, to which the normal group of ISO 5753-1 is tabulated
 _IN_N = "check C and C0 of the catalogue: 44 kN are 44e3 N"
+_COUNT = "give the number of rollers, or leave it out"
 _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
 
 
@@ -138,6 +139,11 @@ def from_catalogue(
     axial_factor: Annotated[
         float | None, Quantity("", "the factor Y = 0.4 / tan(alpha), in place of it", positive, _ANGLES)
     ] = None,
+    rollers: Annotated[int | None, Count("how many there are, if known", FEWEST_ROLLERS, MOST_ROLLERS, _COUNT)] = None,
+    roller_length: Annotated[
+        float | None,
+        Quantity("mm", "the rollers' effective length, if known", positive, "give L in mm"),
+    ] = None,
     clearance: Annotated[
         float | None,
         Quantity(
@@ -196,21 +202,21 @@ def from_catalogue(
                 condition = f"lie between {mm(low, outside_diameter, between=' and '):g}"
                 raise InputError(name, raceway, condition, "give F and E of the catalogue in mm, or leave them out")
             low = raceway  # the outer raceway lies outside of the inner one
-    given = _Given(
+    sizes = _Sizes(
         float(bore), float(outside_diameter), float(width), float(dynamic), float(static), kind, inner_raceway,
-        outer_raceway, angle,
+        outer_raceway, angle, rollers, roller_length,
     )  # fmt: skip
-    best, rollers = _most_probable(given)
-    slack = _clearance(given, clearance)
-    bearing = _made(given, best, slack)
+    best, numbers = _most_probable(sizes)
+    slack = _clearance(sizes, clearance)
+    bearing = _made(sizes, best, slack)
     return CatalogueGuess(
-        bearing, _sentences(given, best, rollers, slack, clearance is None), given.dynamic, given.static,
-        rating(bearing), rollers,
+        bearing, _sentences(sizes, best, numbers, slack, clearance is None), sizes.dynamic, sizes.static,
+        rating(bearing), numbers,
     )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class _Given:
+class _Sizes:
     bore: float
     outside: float
     width: float
@@ -220,6 +226,8 @@ class _Given:
     inner_raceway: float | None
     outer_raceway: float | None
     angle: float
+    rollers: int | None
+    length: float | None
 
     @property
     def usual(self) -> _Design:
@@ -248,24 +256,28 @@ class _Given:
 
 @dataclass(frozen=True)
 class _Inside:
-    """Rollers in a bearing, with the length that C_0 asks for."""
+    """Rollers in a bearing, with the length that is stated or that C_0 asks for."""
 
-    given: _Given
+    sizes: _Sizes
     rollers: int
     diameter: float
 
     @property
     def pitch(self) -> float:
-        return self.given.pitch(self.diameter)
+        return self.sizes.pitch(self.diameter)
 
     @property
     def across(self) -> float:
-        return self.diameter * math.cos(self.given.angle)
+        return self.diameter * math.cos(self.sizes.angle)
 
     @property
     def length(self) -> float:
-        gamma = self.across / self.pitch
-        return self.given.static / (_STATIC * (1.0 - gamma) * self.rollers * self.across)
+        return self.sizes.length or self.sizes.static / self.static_per_length
+
+    @property
+    def static_per_length(self) -> float:
+        """C_0 of ISO 76 over the rollers' length [N/mm]."""
+        return _STATIC * (1.0 - self.across / self.pitch) * self.rollers * self.across
 
     @property
     def fill(self) -> float:
@@ -277,57 +289,58 @@ class _Inside:
         beside = (
             self.pitch > self.diameter and self.rollers * math.asin(self.diameter / self.pitch) <= FULLEST * math.pi
         )
-        along = LEAST_LENGTH * self.given.width <= self.length <= MOST_LENGTH * self.given.width
-        walls = self.pitch - self.across > self.given.bore and self.pitch + self.across < self.given.outside
+        along = LEAST_LENGTH * self.sizes.width <= self.length <= MOST_LENGTH * self.sizes.width
+        walls = self.pitch - self.across > self.sizes.bore and self.pitch + self.across < self.sizes.outside
         return beside and along and walls
 
     @property
     def factor(self) -> float:
         """C of the catalogue over that of ISO 281."""
-        ring = Raceway(self.diameter, self.length, self.pitch, True, contact_angle=self.given.angle)
-        return self.given.dynamic / ring.load_rating(self.rollers)
+        ring = Raceway(self.diameter, self.length, self.pitch, True, contact_angle=self.sizes.angle)
+        return self.sizes.dynamic / ring.load_rating(self.rollers)
 
     @property
     def misses(self) -> float:
         """The sum of squares by which the bearing is unusual."""
-        usual, given = self.given.usual, self.given
+        usual, sizes = self.sizes.usual, self.sizes
         return (
             # Beyond what is refused it counts no more, so that a mistaken C does not change the bearing.
             _STEEL.misses(min(max(math.log(self.factor), -math.log(MOST_FACTOR)), math.log(MOST_FACTOR)))
             + usual.fill.misses(self.fill)
-            + usual.section.misses(self.diameter / given.section)
-            + usual.length.misses(self.length / given.width)
+            + usual.section.misses(self.diameter / sizes.section)
+            + usual.length.misses(self.length / sizes.width)
         )
 
 
-def _most_probable(given: _Given) -> tuple[_Inside, tuple[int, int]]:
+def _most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
     """Return the most probable inside, and the numbers of rollers that are about as probable."""
-    low, high = given.diameters
-    least = min(given.pitch(low) - low, given.pitch(high) - high)
+    low, high = sizes.diameters
+    least = min(sizes.pitch(low) - low, sizes.pitch(high) - high)
     most = min(MOST_ROLLERS, int(math.pi * (least + high) / low) + 1)
-    found = [_best(given, number) for number in range(FEWEST_ROLLERS, most + 1)]
-    fitting = [each for each in found if each is not None]
+    numbers = range(FEWEST_ROLLERS, most + 1) if sizes.rollers is None else (sizes.rollers,)
+    candidates = [_best(sizes, number) for number in numbers]
+    fitting = [inside for inside in candidates if inside is not None]
     if not fitting:
-        rings = f"{mm(given.bore, given.outside, between=' and '):g}, {mm(given.width):g} wide"
+        rings = f"{mm(sizes.bore, sizes.outside, between=' and '):g}, {mm(sizes.width):g} wide"
         condition = f"be that of rollers which fit between rings of {rings}"
-        raise InputError("static", given.static, condition, _IN_N)
-    best = min(fitting, key=lambda each: each.misses)
+        raise InputError("static", sizes.static, condition, _IN_N)
+    best = min(fitting, key=lambda inside: inside.misses)
     if abs(math.log(best.factor)) > math.log(MOST_FACTOR):
         condition = (
-            f"be near {newton(given.dynamic / best.factor):3}, which ISO 281 gives a bearing with such a static rating"
+            f"be near {newton(sizes.dynamic / best.factor):3}, which ISO 281 gives a bearing with such a static rating"
         )
-        raise InputError("dynamic", given.dynamic, condition, _IN_N)
-    near = [each.rollers for each in fitting if each.misses <= best.misses + 1.0]
+        raise InputError("dynamic", sizes.dynamic, condition, _IN_N)
+    near = [inside.rollers for inside in fitting if inside.misses <= best.misses + 1.0]
     return best, (min(near), max(near))
 
 
-def _best(given: _Given, rollers: int) -> _Inside | None:
+def _best(sizes: _Sizes, rollers: int) -> _Inside | None:
     """Return the most probable inside of a number of rollers, None if they do not fit."""
-    low, high = given.diameters
+    low, high = sizes.diameters
     best: _Inside | None = None
     for _ in range(_ROUNDS):
-        tried = [_Inside(given, rollers, each) for each in np.linspace(low, high, _STEPS + 1).tolist()]
-        best = min((each for each in tried if each.fits), key=lambda each: each.misses, default=best)
+        tried = [_Inside(sizes, rollers, diameter) for diameter in np.linspace(low, high, _STEPS + 1).tolist()]
+        best = min((inside for inside in tried if inside.fits), key=lambda inside: inside.misses, default=best)
         if best is None or low == high:
             return best
         step = (high - low) / _STEPS
@@ -335,24 +348,24 @@ def _best(given: _Given, rollers: int) -> _Inside | None:
     return best
 
 
-def _made(given: _Given, inside: _Inside, clearance: float) -> RollerBearing:
+def _made(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBearing:
     """Return the bearing, whose rollers meet in one point with the raceways if they are tapered."""
     diameter, length, pitch = inside.diameter, inside.length, inside.pitch
-    known: dict[str, Any] = {"bore": given.bore, "outside_diameter": given.outside, "width": given.width}
+    known: dict[str, Any] = {"bore": sizes.bore, "outside_diameter": sizes.outside, "width": sizes.width}
     known |= {"rollers": inside.rollers, "clearance": clearance}
-    if given.kind != "tapered":
+    if sizes.kind != "tapered":
         roller = Roller(diameter=diameter, length=length, profile=profile.iso_logarithmic(diameter, length))
-        make = NeedleRollerBearing if given.kind == "needle" else CylindricalRollerBearing
-        inner, outer = _rings(given, pitch - diameter, pitch + diameter)
+        make = NeedleRollerBearing if sizes.kind == "needle" else CylindricalRollerBearing
+        inner, outer = _rings(sizes, pitch - diameter, pitch + diameter)
         return make(roller=roller, inner=inner, outer=outer, **known)
-    half = half_cone(diameter / pitch, given.angle)
-    axis = math.tan(given.angle - half)
-    low, high = (pitch * math.tan(each) / axis for each in (given.angle - 2.0 * half, given.angle))
+    half = half_cone(diameter / pitch, sizes.angle)
+    axis = math.tan(sizes.angle - half)
+    low, high = (pitch * math.tan(angle) / axis for angle in (sizes.angle - 2.0 * half, sizes.angle))
     ends = diameter + length * math.tan(half) * np.array([1.0, -1.0])
     narrowing = TabulatedDiameter((-0.5 * length, 0.5 * length), tuple(ends.tolist()))
     roller = Roller(diameter=narrowing, length=length, profile=profile.iso_tapered(diameter, length))
-    inner, outer = _rings(given, low, high)
-    angle = given.angle
+    inner, outer = _rings(sizes, low, high)
+    angle = sizes.angle
     return TaperedRollerBearing(
         roller=roller, inner=inner, outer=outer, pitch_diameter=pitch, contact_angle=angle, **known
     )
@@ -366,19 +379,19 @@ def half_cone(share: float, angle: float) -> float:
     return half
 
 
-def _rings(given: _Given, inner: float, outer: float) -> tuple[Body, Body]:
-    of_inner = Ring(diameter=inner, depth=0.5 * (inner - given.bore))
-    return of_inner, Ring(diameter=-outer, depth=0.5 * (given.outside - outer))
+def _rings(sizes: _Sizes, inner: float, outer: float) -> tuple[Body, Body]:
+    of_inner = Ring(diameter=inner, depth=0.5 * (inner - sizes.bore))
+    return of_inner, Ring(diameter=-outer, depth=0.5 * (sizes.outside - outer))
 
 
-def _clearance(given: _Given, clearance: float | None) -> float:
+def _clearance(sizes: _Sizes, clearance: float | None) -> float:
     if clearance is not None:
         return float(clearance)
-    if given.kind == "tapered":
+    if sizes.kind == "tapered":
         return 0.0
-    if given.bore > _LARGEST_BORE:
+    if sizes.bore > _LARGEST_BORE:
         raise InputError("clearance", None, f"be given for a bore of more than {mm(_LARGEST_BORE):g}", "give it in mm")
-    return clearance_limits("CN", given.bore).likely
+    return clearance_limits("CN", sizes.bore).likely
 
 
 def _angle(angles: Mapping[str, float | None]) -> float:
@@ -390,35 +403,43 @@ def _angle(angles: Mapping[str, float | None]) -> float:
         raise InputError(name, stated.get(name), condition, _ANGLES)
     ((name, value),) = stated.items()
     by_name = {"limiting_ratio": math.atan(value / 1.5), "axial_factor": math.atan(0.4 / value)}
-    found = by_name.get(name, float(value))
-    if found > MOST_ANGLE:
+    angle = by_name.get(name, float(value))
+    if angle > MOST_ANGLE:
         raise InputError(name, value, f"mean no more than {MOST_ANGLE:.4g} rad, 45 degrees", _ANGLES)
-    return found
+    return angle
 
 
 def _sentences(
-    given: _Given, inside: _Inside, rollers: tuple[int, int], clearance: float, usual_clearance: bool
+    sizes: _Sizes, inside: _Inside, rollers: tuple[int, int], clearance: float, usual_clearance: bool
 ) -> tuple[str, ...]:
     """Return what was guessed."""
-    raceways = [each for each in (given.inner_raceway, given.outer_raceway) if each is not None]
+    raceways = [diameter for diameter in (sizes.inner_raceway, sizes.outer_raceway) if diameter is not None]
     of_pitch = (
-        " and ".join(f"{each:g}" for each in raceways) + " mm at the raceways, which were given"
+        " and ".join(f"{diameter:g}" for diameter in raceways) + " mm at the raceways, which were given"
         if raceways
-        else f"{given.usual.pitch:g} times the mean of bore and outside diameter"
+        else f"{sizes.usual.pitch:g} times the mean of bore and outside diameter"
     )
-    shares = (inside.fill, inside.diameter / given.section, inside.length / given.width)
+    shares = (inside.fill, inside.diameter / sizes.section, inside.length / sizes.width)
     fill, section, length = (format_digits(100.0 * share, 2) for share in shares)
-    low, high = rollers
-    why = ", until it is mounted" if given.kind == "tapered" else ", the middle of the normal group"
-    size = f"{mm(given.bore, given.outside, given.width, between=' x '):g}"
+    share = sizes.static / (inside.static_per_length * inside.length)
+    of_static = "met" if sizes.length is None else f"{format_digits(share, 3)} times that of ISO 76"
+    why = ", until it is mounted" if sizes.kind == "tapered" else ", the middle of the normal group"
+    size = f"{mm(sizes.bore, sizes.outside, sizes.width, between=' x '):g}"
     roller, pitch = f"{mm(inside.diameter, inside.length, between=' x '):4}", f"{mm(inside.pitch):4}"
-    found = [
-        f"estimated internal geometry of a {given.kind} roller bearing {size}",
+    sentences = [
+        f"estimated internal geometry of a {sizes.kind} roller bearing {size}",
         f"{inside.rollers} rollers of {roller} on a pitch circle of {pitch}: {of_pitch}",
         f"rollers take {fill} % of the pitch circle, {section} % of the section and {length} % of the width",
-        f"{low} to {high} rollers are about as probable" if low < high else "other numbers are less probable",
-        f"C0 of {newton(given.static):4} is met; C of {newton(given.dynamic):4} is "
+        _of_number(sizes, rollers),
+        f"C0 of {newton(sizes.static):4} is {of_static}; C of {newton(sizes.dynamic):4} is "
         f"{format_digits(inside.factor, 3)} times that of ISO 281",
         f"clearance {um(clearance):3}{why if usual_clearance else ''}; reference profile of ISO 16281",
     ]  # fmt: skip
-    return tuple(found)
+    return tuple(sentences)
+
+
+def _of_number(sizes: _Sizes, rollers: tuple[int, int]) -> str:
+    low, high = rollers
+    if sizes.rollers is not None:
+        return "the number of rollers was given"
+    return f"{low} to {high} rollers are about as probable" if low < high else "other numbers are less probable"

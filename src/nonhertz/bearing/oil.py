@@ -174,7 +174,7 @@ class Lubrication(OilInPlace):
         Quantity(
             "", "viscosity index of an oil that is given by its grade", _index, "give it: 95 is usual for mineral oils"
         ),
-        Assumed("viscosity index of 95", "the life and the film", lambda given: given.oil is not None),
+        Assumed("viscosity index of 95", "the life and the film", lambda stated: stated.oil is not None),
     ] = 95.0
     viscosities: Annotated[
         tuple[float, ...] | None, Quantities("mm^2/s", "viscosities of the oil at two temperatures, such as [68, 8.7]")
@@ -183,14 +183,14 @@ class Lubrication(OilInPlace):
     density: Annotated[
         float,
         Quantity("t/mm^3", "density of the oil", positive, "give it in t/mm^3, 8.8e-10 for mineral oils"),
-        Assumed("oil of 880 kg/m³", _OF_FILM, lambda given: given._known),
+        Assumed("oil of 880 kg/m³", _OF_FILM, lambda stated: stated._known),
     ] = 8.8e-10
     pressure_viscosity: Annotated[
         float | None,
         Quantity(
             "1/MPa", "coefficient alpha by which the viscosity grows with the pressure", positive, "give it in 1/MPa"
         ),
-        Assumed("alpha of a mineral oil", _OF_FILM, lambda given: given._known),
+        Assumed("alpha of a mineral oil", _OF_FILM, lambda stated: stated._known),
     ] = None
     grease: Annotated[
         bool,
@@ -213,7 +213,7 @@ class Lubrication(OilInPlace):
 
     @property
     def _known(self) -> bool:
-        return any(each is not None for each in (self.viscosity, self.oil, self.viscosities))
+        return any(entry is not None for entry in (self.viscosity, self.oil, self.viscosities))
 
     @cached_property
     def _viscosity(self) -> float | None:

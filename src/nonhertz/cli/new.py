@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +14,7 @@ from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
 from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
 from nonhertz.files.documents import write_new
+from nonhertz.files.geometries import bearing_of_designation
 from nonhertz.files.planfile import read_any, starting_plan
 
 
@@ -25,6 +27,8 @@ def new(
     plan: Annotated[bool, Parameter(negative="")] = False,
     case: Path | None = None,
     catalogue: Words = (),
+    designation: str | None = None,
+    geometries: Path | None = None,
     rexs: Path | None = None,
     component: int | None = None,
 ) -> None:
@@ -46,26 +50,28 @@ def new(
         With --plan, the case file or bearing file that the plan is for; by default case.toml.
     catalogue : tuple of str
         With --bearing, numbers of a catalogue, from which the rollers are guessed: d=30 D=62 B=16 C=44kN C0=36.5kN,
-        for other kinds kind=needle or kind=tapered with e, Y or alpha, and if known raceways F and E, and clearance.
+        for other kinds kind=needle or kind=tapered with e, Y or alpha, and if known raceways F and E, number Z and
+        length L of the rollers, and clearance.
+    designation : str
+        With --bearing, a cylindrical roller bearing whose raceways catalogues print: "NU 206".
+    geometries : Path
+        With --designation, a comma-separated file with geometries of your own: designation,d,D,B,C,C0,F,E,Z,L,source.
     rexs : Path
         With --bearing, a file in REXS, version 1.4 or later, XML or JSON, with the bearing.
     component : int
         With --rexs, the number of the bearing in a model of several.
     """
-    _refuse_beside_rexs(rexs, component, bearing and not (plan or catalogue or template is not None))
-    if catalogue and (plan or template is not None or not bearing):
-        option = "--plan" if plan else "--template"
-        condition = "be given with --bearing" if not bearing and not plan else f"not be given with {option}"
-        raise InputError("--catalogue", " ".join(catalogue), condition, "write one file")
-    if plan and template is not None:
-        raise InputError("--template", template, "not be given with --plan", "leave one out")
-    if bearing and plan:
-        raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
-    if case is not None and not plan:
-        raise InputError("--case", str(case), "be given with --plan", "add that, or leave it out")
-    folder = Path() if path is None else path.parent
-    file = folder / "case.toml" if case is None else case
-    with named_as(template="--template", component="--component", rexs="--rexs", catalogue="--catalogue"):
+    sources = {
+        "--template": template, "--catalogue": " ".join(catalogue) or None, "--designation": designation,
+        "--rexs": None if rexs is None else str(rexs),
+    }  # fmt: skip
+    _refuse_together({name: value for name, value in sources.items() if value is not None}, bearing, plan)
+    _refuse_alone("--case", case, "--plan", plan)
+    _refuse_alone("--component", component, "--rexs", rexs is not None)
+    _refuse_alone("--geometries", geometries, "--designation", designation is not None)
+    file = (Path() if path is None else path.parent) / "case.toml" if case is None else case
+    fields = ("template", "component", "rexs", "catalogue", "designation", "geometries")
+    with named_as(**{name: f"--{name}" for name in fields}):
         if rexs is not None:
             from nonhertz.files.rexs import bearing_file_of_rexs  # loaded for it alone
 
@@ -73,25 +79,43 @@ def new(
         elif catalogue:
             data = dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue)
             text = text_of_guess(guess_of_catalogue(data))
-        elif case is not None:
-            text = starting_plan(read_any(case), folder)
+        elif designation is not None:
+            text = bearing_of_designation(designation, geometries)
+        elif bearing:
+            text = starting_bearing(template)
         else:
-            text = starting_bearing(template) if bearing else starting_plan() if plan else starting_case(template)
+            text = _plan(path, case) if plan else starting_case(template)
     if path is None:
         print(text, end="")
     else:
         write_new(text, path)
-        way_on = f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
-        if plan:
-            first = "" if file.exists() else f"nonhertz new {file}, then "
-            way_on = f"for {file}; try it with: {first}nonhertz {'design' if '[design]' in text else 'check'} {path}"
-        print(f"wrote {path}{',' if plan else ';'} {way_on}")
+        print(f"wrote {path}{',' if plan else ';'} {_way_on(path, file, text, bearing, plan)}")
 
 
-def _refuse_beside_rexs(rexs: Path | None, component: int | None, alone: bool) -> None:
-    """Refuse options that do not go with a file in REXS."""
-    if rexs is not None and not alone:
-        condition = "be given with --bearing, and without --plan, --template and --catalogue"
-        raise InputError("--rexs", str(rexs), condition, "write one bearing file")
-    if component is not None and rexs is None:
-        raise InputError("--component", component, "be given with --rexs", "add that, or leave it out")
+def _plan(path: Path | None, case: Path | None) -> str:
+    return starting_plan() if case is None else starting_plan(read_any(case), Path() if path is None else path.parent)
+
+
+def _way_on(path: Path, file: Path, text: str, bearing: bool, plan: bool) -> str:
+    if not plan:
+        return f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
+    first = "" if file.exists() else f"nonhertz new {file}, then "
+    return f"for {file}; try it with: {first}nonhertz {'design' if '[design]' in text else 'check'} {path}"
+
+
+def _refuse_together(sources: Mapping[str, str], bearing: bool, plan: bool) -> None:
+    """Refuse options that each say what to write, where there are several, and those of bearings without one."""
+    if bearing and plan:
+        raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
+    (name, value), *others = (*sources.items(), ("", ""))
+    rival = "--plan" if plan else others[0][0] if len(others) > 1 else ""
+    if name and rival:
+        raise InputError(name, value, f"not be given with {rival}", "leave one out")
+    if name not in ("", "--template") and not bearing:
+        raise InputError(name, value, "be given with --bearing", "write a bearing file")
+
+
+def _refuse_alone(name: str, value: Path | int | None, other: str, present: bool) -> None:
+    if value is not None and not present:
+        shown = value if isinstance(value, int) else str(value)
+        raise InputError(name, shown, f"be given with {other}", "add that, or leave it out")

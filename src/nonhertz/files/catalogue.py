@@ -25,6 +25,8 @@ SYMBOLS: Final = {
     "C0": ("static", "N"),
     "F": ("inner_raceway", "mm"),
     "E": ("outer_raceway", "mm"),
+    "Z": ("rollers", ""),
+    "L": ("roller_length", "mm"),
     "alpha": ("contact_angle", "rad"),
     "e": ("limiting_ratio", ""),
     "Y": ("axial_factor", ""),
@@ -37,12 +39,12 @@ _EXAMPLE: Final = "d=30 D=62 B=16 C=44kN C0=36.5kN"
 _STEEL, _OF_LOAD, _SPEED, _DIGITS, _COLUMNS = "100Cr6", 0.1, 1000.0, 6, 100
 
 
-def guess_of_catalogue(given: Mapping[str, str]) -> CatalogueGuess:
+def guess_of_catalogue(stated: Mapping[str, str]) -> CatalogueGuess:
     """Return the bearing that is estimated from the data in a catalogue.
 
     Parameters
     ----------
-    given : mapping of str to str
+    stated : mapping of str to str
         Values by their `SYMBOLS`, with units or in mm, N and rad: d, D, B (of a tapered bearing T), C and C0 are
         needed. ``kind`` is ``"cylindrical"``, unless it says ``"needle"`` or ``"tapered"``.
 
@@ -51,19 +53,11 @@ def guess_of_catalogue(given: Mapping[str, str]) -> CatalogueGuess:
     InputError
         If a symbol is unknown, missing or out of range, or no rollers that fit have such ratings.
     """
-    given = {_ALIKE.get(symbol, symbol): value for symbol, value in given.items()}
-    values: dict[str, Any] = {}
-    for symbol, value in given.items():
-        if symbol == "kind":
-            values["kind"] = value
-        elif symbol not in SYMBOLS:
-            raise unknown_word_error("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
-        else:
-            name, unit = SYMBOLS[symbol]
-            values[name] = _number(symbol, value, unit)
-    absent = [symbol for symbol in NEEDED if symbol not in given]
+    stated = {_ALIKE.get(symbol, symbol): value for symbol, value in stated.items()}
+    absent = [symbol for symbol in NEEDED if symbol not in stated]
+    values = dict(_argument(symbol, value) for symbol, value in stated.items())
     if absent:
-        shown = " ".join(f"{symbol}={value}" for symbol, value in given.items())
+        shown = " ".join(f"{symbol}={value}" for symbol, value in stated.items())
         raise InputError("catalogue", shown, f"have {joined(absent)}, too", f"add them, such as {_EXAMPLE}")
     try:
         return from_catalogue(**values)
@@ -72,27 +66,38 @@ def guess_of_catalogue(given: Mapping[str, str]) -> CatalogueGuess:
         raise error.about(symbols.get(error.field, error.field), error.value) from None
 
 
-def _number(symbol: str, text: str, unit: str) -> float:
+def _argument(symbol: str, text: str) -> tuple[str, Any]:
+    """Return name and value of the argument that a symbol of a catalogue is."""
+    if symbol == "kind":
+        return symbol, text
+    if symbol not in SYMBOLS:
+        raise unknown_word_error("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
+    name, unit = SYMBOLS[symbol]
     try:
-        return float(text)
+        return name, int(text) if name == "rollers" else float(text)
     except ValueError:
-        return number_in(symbol, text, unit)
+        return name, number_in(symbol, text, unit)
 
 
-def text_of_guess(guess: CatalogueGuess) -> str:
-    """Return a bearing file with an estimated bearing."""
+def text_of_guess(
+    guess: CatalogueGuess, title: str = "", bearing: Mapping[str, Any] | None = None, source: str = ""
+) -> str:
+    """Return the text of a bearing file of a guess, with a title, what else is known of the bearing, and its source."""
     first, *others = guess.sentences
+    others += [source] if source else []
     words = [f"For 'nonhertz bearing': {first}. Replace what you know.", *(f"- {sentence}" for sentence in others)]
     words.append(f"- load ({100.0 * _OF_LOAD:g} % of C) and speed are examples: put yours in their place")
-    return commented(words, guessed_document(guess))
+    document = guessed_document(guess)
+    document["bearing"] |= bearing or {}
+    return commented(words, document | ({"title": title} if title else {}))
 
 
 def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
     """Return a bearing file below words as comments: a sentence, and items that begin with a hyphen."""
     wrapped = (
         line
-        for each in (*words, "Numbers are in mm, N, rad and 1/min.")
-        for line in textwrap.wrap(each, _COLUMNS, subsequent_indent="  " * (each[0] == "-"))
+        for word in (*words, "Numbers are in mm, N, rad and 1/min.")
+        for line in textwrap.wrap(word, _COLUMNS, subsequent_indent="  " * (word[0] == "-"))
     )
     return "".join(f"# {line}\n" for line in wrapped) + "\n" + as_toml(dict(document))
 
@@ -112,8 +117,8 @@ def guessed_document(guess: CatalogueGuess) -> dict[str, Any]:
             # Its diameter and length are those of the roller.
             body["profile"] = [{"kind": profile["kind"]} for profile in body["profile"]]
         document[name] = body
-    kept = {name: document[name] for name in ("title", "bearing", "roller", "inner", "outer", "load")}
-    rounded: dict[str, Any] = _rounded(kept | {"life": {"dynamic": guess.dynamic, "static": guess.static}})
+    tables = {name: document[name] for name in ("title", "bearing", "roller", "inner", "outer", "load")}
+    rounded: dict[str, Any] = _rounded(tables | {"life": {"dynamic": guess.dynamic, "static": guess.static}})
     return rounded
 
 
