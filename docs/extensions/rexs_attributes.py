@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 HEAD = ("component", "attribute", "unit", "what it is here")
 _USES = {
-    "Both ways": ("exchange", "load", "reaction", "speed", "word"),
-    "Out alone": ("profile", "result", "contact"),
+    "Both ways": ("exchange", "class", "load", "reaction", "speed", "profile", "word"),
+    "Out alone": ("result", "contact"),
     "Neither way": ("left",),
 }
 

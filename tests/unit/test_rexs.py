@@ -20,6 +20,13 @@ def case_of(template=None, **changes):
     return BearingCase.of(tomllib.loads(starting_bearing(template)), Path("bearing.toml"), changes=changes or None)
 
 
+def with_spectrum(**changes):
+    """Return the cylindrical bearing with the spectrum below."""
+    document = tomllib.loads(starting_bearing("cylindrical"))
+    document.setdefault("life", {})["spectrum"] = SPECTRUM
+    return BearingCase.of(document, Path("bearing.toml"), changes=changes or None)
+
+
 def same(one, other):
     """Compare documents, numbers to rounding."""
     if isinstance(one, dict):
@@ -119,8 +126,8 @@ def test_what_is_written_is_in_the_table():
     written = {each.get("id") for each in root.iter("attribute")}
     assert written <= listed
     assert {name for each in lines() if each["use"] == "word" for name in [each["attribute"]]} - written == {
-        "radial_clearance_class"  # the clearance is a number
-    }
+        "operating_time_fraction", "custom_nonhertz_share_of_revolutions",  # there is no spectrum
+    }  # fmt: skip
 
 
 def attributes(**given):
@@ -270,3 +277,79 @@ def test_names_of_files_and_forms(tmp_path):
         write_rexs(tmp_path / "bearing.xml", case_of())
     with pytest.raises(InputError, match="'xml' or 'json'"):
         to_rexs(case_of(), form="yaml")
+
+
+SPECTRUM = [
+    {"share": 0.1, "radial": 20e3},
+    {"share": 0.8, "radial": [6e3, 1e3], "speed": 500.0, "tilt": 2e-4},
+]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_spectra_seats_and_classes_come_back(form, tmp_path):
+    changes = {
+        "bearing.bore": 30.0, "bearing.outside_diameter": 62.0, "bearing.width": 16.0, "bearing.clearance": "C3",
+        "bearing.tolerance_class": "6", "fit.shaft": "k5", "fit.housing": "J7", "fit.inner_temperature": 70.0,
+    }  # fmt: skip
+    case = with_spectrum(**changes)
+    path = write_rexs(tmp_path / f"bearing.{form}", case)
+    same(case.own_document, read_rexs(path).own_document)
+    text = path.read_text(encoding="utf-8")
+    for word in ("k5", "J7", "P6", "C3"):
+        assert (f">{word}<" if form == "rexs" else f'"{word}"') in text
+
+
+def test_time_shares_of_a_spectrum_are_those_of_revolutions_over_speed():
+    model = json.loads(to_rexs(with_spectrum(), form="json"))["model"]
+    (unit,) = (entry["id"] for entry in model["components"] if entry["type"] == "gear_unit")
+    cases = [case["components"] for case in model["load_spectrum"]["load_cases"]]
+    shares = [entry["attributes"][0] for case in cases for entry in case if entry["id"] == unit]
+    times = 0.1 / 3000.0, 0.8 / 500.0  # the first load has the speed of [load]
+    expected = [90.0 * time / sum(times) for time in times]
+    assert [share["floating_point"] for share in shares] == pytest.approx(expected)
+    assert {share["id"] for share in shares} == {"operating_time_fraction"}
+
+
+def load_case(number, force, percent, speed):
+    unit = f'<component id="2">{attributes(operating_time_fraction=(percent, "%"))}</component>'
+    force = attributes(radial_force_in_v=(force, "kN"), speed_inner_ring=(speed, "1 / min"))
+    return f'<load_case id="{number}">{unit}<component id="5">{force}</component></load_case>'
+
+
+def test_a_spectrum_of_another_program(tmp_path):
+    path = written(tmp_path, '<component id="2" type="gear_unit"/>' + NEEDLES + INSIDE, "x")
+    cases = load_case(1, "3", "40", "1500") + load_case(2, "1", "60", "500")
+    text = path.read_text(encoding="utf-8-sig").replace('<load_case id="1">x</load_case>', cases)
+    path.write_text(text, encoding="utf-8")
+    case = read_rexs(path, 5)
+    assert (case.prescribed.radial, case.prescribed.speed) == (3000.0, 1500.0)
+    # In an hour 0.4 x 1500 and 0.6 x 500 of 900 mean revolutions a minute.
+    assert [(entry.radial, entry.speed) for entry in case.life.spectrum] == [(3000.0, 1500.0), (1000.0, 500.0)]
+    assert [entry.share for entry in case.life.spectrum] == pytest.approx([600 / 900, 300 / 900])
+    alone = text.replace("operating_time_fraction", "operating_time")
+    path.write_text(alone, encoding="utf-8")
+    assert "first of 2 load cases; the others are left out" in read_rexs(path, 5).text
+
+
+def test_seats_of_another_program_count_unless_the_clearance_is_that_in_operation(tmp_path):
+    seats = {"shaft_tolerance_class": ("k5", ""), "casing_bore_tolerance_class": ("H7", "")}
+    for clearance, expected in (("radial_bearing_clearance", "k5"), ("operating_radial_bearing_clearance", None)):
+        needles = NEEDLES.replace("operating_radial_bearing_clearance", clearance).replace(">45<", ">35<")
+        needles = needles.replace(">53<", ">60<")
+        needles = needles.replace("</component>", f"{attributes(**seats)}</component>")
+        case = read_rexs(written(tmp_path, needles + INSIDE, LOADS), 5)
+        assert (case.fit.shaft.fit if case.fit is not None else None) == expected
+    half = needles.replace("operating_radial", "radial").replace("casing_bore_tolerance_class", "other")
+    assert read_rexs(written(tmp_path, half + INSIDE, LOADS), 5).fit is None
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_profiles_and_cones_come_back_where_other_programs_have_passed_over_the_rest(form, tmp_path):
+    case = case_of("tapered-pair")
+    path = write_rexs(tmp_path / f"bearing.{form}", case)
+    path.write_text(path.read_text(encoding="utf-8").replace("custom_nonhertz_bearing_file", "custom_lost"), "utf-8")
+    row, again = (one.bearing.rows[0].bearing for one in (case, read_rexs(path)))
+    y = np.linspace(-0.4, 0.4, 9) * row.roller_length
+    assert again.roller.profile.relief(y) == pytest.approx(row.roller.profile.relief(y), abs=2e-5)
+    assert again.half_cone_angle == pytest.approx(row.half_cone_angle, rel=1e-6)
+    assert "reference profile" not in read_rexs(path).text

@@ -12,12 +12,16 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Any, Final
 
+from nonhertz.errors import InputError
+from nonhertz.files.rexs.model import Attributes
+
 BEARING: Final = "rolling_bearing_with_detailed_geometry"
 CATALOGUE: Final = "rolling_bearing_with_catalog_geometry"
 ROW, ROLLER, CONTACT = "rolling_bearing_row", "rolling_element", "rolling_element_contact"
-MATERIAL, OIL = "material", "lubricant"
+MATERIAL, OIL, GEAR_UNIT = "material", "lubricant", "gear_unit"
 _COMPONENTS: Final = {
     "bearing": BEARING, "row": ROW, "roller": ROLLER, "contact": CONTACT, "material": MATERIAL, "oil": OIL,
+    "gear_unit": GEAR_UNIT,
 }  # fmt: skip
 #: What of a bearing file has no attribute, as JSON; and which loads and motions are prescribed, not results.
 REST, PRESCRIBED = "custom_nonhertz_bearing_file", "custom_nonhertz_prescribed"
@@ -35,6 +39,12 @@ TYPES: Final = {
     "thrust": ("axial_roller_bearing", "axial_needle_roller_bearing"),
 }
 _LETTERS: Final = dict(zip("cntsa", TYPES, strict=True))
+#: Classes of ISO 492 and groups of ISO 5753-1 in REXS; those of seats, ISO 286, have the same names.
+CLASS_WORDS: Final = {"Normal": "P0", "6": "P6", "5": "P5", "CN": "C0"}
+#: How long a load case lasts: as REXS has it, and the share of revolutions in bearing files.
+TIME_SHARE, REVOLUTION_SHARE = "operating_time_fraction", "custom_nonhertz_share_of_revolutions"
+#: Loads and motions of two axes, and which of them one number alone is.
+PAIRS: Final = {"radial": 0, "radial_displacement": 0, "moment": 1, "tilt": 1}
 #: By whether the inner ring bears axial loads along +u and along -u.
 DIRECTIONS: Final = {
     (False, False): "no_direction",
@@ -78,6 +88,11 @@ class Attribute:
         """Its unit in that of a bearing file, with the sign."""
         return self.sign * UNITS[self.unit]
 
+    def number(self, attributes: Attributes) -> float | None:
+        """Return its number among attributes in the unit of a bearing file; None where it is not there, or empty."""
+        number = number_of(attributes, self.unit, *self.ids)
+        return None if number is None else self.sign * number
+
     def of(self, known: Any) -> Any:
         """Return its value in what is known; None where something on the way is."""
         for name in self.value.split("."):
@@ -85,6 +100,51 @@ class Attribute:
             if known is None:
                 return None
         return known
+
+
+def word_of(attributes: Attributes, name: str) -> str:
+    """Return an attribute as a word, empty where it is not there."""
+    return str(attributes.get(name, ("", ""))[0] or "")
+
+
+def number_of(attributes: Attributes, unit: str, *names: str) -> float | None:
+    """Return the first attribute of these names in units of a bearing file; None where it is not there, or empty.
+
+    Raises
+    ------
+    InputError
+        If it is not a number, or in an unknown unit.
+    """
+    name = next((entry for entry in names if entry in attributes), "")
+    value, stated = attributes.get(name, (None, ""))
+    if value is None or value == "":
+        return None
+    return _size(name, stated, unit) * _finite(name, value)
+
+
+def array_of(attributes: Attributes, unit: str, name: str) -> list[float]:
+    """Return an array in units of a bearing file, empty where it is not there; errors are those of `number_of`."""
+    values, stated = attributes.get(name, ([], ""))
+    size = _size(name, stated, unit)
+    return [size * _finite(name, value) for value in (values if isinstance(values, list) else [values])]
+
+
+def _size(name: str, stated: str, unit: str) -> float:
+    # A number that states no unit is in that of REXS.
+    size = UNITS.get(unit if stated in ("", "none") else stated)
+    if size is None:
+        raise InputError(f"the unit of {name}", stated, f"be {unit}", "correct it in the file")
+    return size
+
+
+def _finite(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(name, str(value)[:40], "be a number", "correct it in the file")
+    return number
 
 
 def lines() -> list[dict[str, str]]:
@@ -96,13 +156,13 @@ def lines() -> list[dict[str, str]]:
 def _attributes(use: str) -> tuple[Attribute, ...]:
     return tuple(
         Attribute(
-            _COMPONENTS[each["component"]], tuple(each["attribute"].split("|")), each["unit"], int(each["sign"]),
-            each["key"], each["value"], frozenset(_LETTERS[letter] for letter in each["kinds"] or _LETTERS),
+            _COMPONENTS[line["component"]], tuple(line["attribute"].split("|")), line["unit"], int(line["sign"]),
+            line["key"], line["value"], frozenset(_LETTERS[letter] for letter in line["kinds"] or _LETTERS),
         )
-        for each in lines() if each["use"] == use
+        for line in lines() if line["use"] == use
     )  # fmt: skip
 
 
-EXCHANGED, LOADS, REACTIONS, SPEEDS, RESULTS, CONTACTS, PROFILE = map(
-    _attributes, ("exchange", "load", "reaction", "speed", "result", "contact", "profile")
+EXCHANGED, CLASSES, LOADS, REACTIONS, SPEEDS, RESULTS, CONTACTS, PROFILE = map(
+    _attributes, ("exchange", "class", "load", "reaction", "speed", "result", "contact", "profile")
 )

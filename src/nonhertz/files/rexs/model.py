@@ -72,7 +72,7 @@ def read_model(path: str | Path) -> Model:
     data, name = read_input_file("rexs", path, LARGEST)
     try:
         text = data.decode("utf-8-sig")
-        model = _of_json(text) if text.lstrip()[:1] == "{" else _of_xml(text)
+        model = _of_document(json.loads(text)["model"] if text.lstrip()[:1] == "{" else _xml_document(text))
     except (ValueError, TypeError, KeyError, AttributeError, OverflowError, RecursionError, ET.ParseError) as error:
         reason = str(error).partition("\n")[0][:80] or type(error).__name__
         raise InputError("rexs", name, f"be a model in REXS, as XML or JSON ({reason})", _REMEDY) from None
@@ -82,125 +82,138 @@ def read_model(path: str | Path) -> Model:
     return model
 
 
-def _of_xml(text: str) -> Model:
+def _of_document(document: dict[str, Any]) -> Model:
+    """Return the model of what JSON has below its root."""
+    model = Model({"version": str(document["version"])})
+    for entry in document.get("relations", ()):
+        roles = [(str(ref["role"]), int(ref["id"])) for ref in entry["refs"]]
+        model.relations.append((entry["type"], int(entry.get("order") or 0), roles))
+    for entry in document["components"]:
+        component = Component(str(entry["type"]), str(entry.get("name") or ""), _attributes(entry))
+        model.components[int(entry["id"])] = component
+    model.load_cases += _load_cases(document)
+    return model
+
+
+def _load_cases(document: dict[str, Any]) -> Iterator[dict[int, Attributes]]:
+    spectra = document.get("load_spectrum") or ()
+    for spectrum in [spectra] if isinstance(spectra, dict) else spectra:
+        for case in spectrum["load_cases"]:
+            yield {int(entry["id"]): _attributes(entry) for entry in case["components"]}
+
+
+def _attributes(component: dict[str, Any]) -> Attributes:
+    return {str(entry["id"]): (_value(entry), str(entry.get("unit") or "")) for entry in component["attributes"]}
+
+
+def _value(attribute: dict[str, Any]) -> Any:
+    """Return what stands in an attribute of JSON under the name of its type."""
+    return next((value for name, value in attribute.items() if name not in ("id", "unit")), None)
+
+
+def _xml_document(text: str) -> dict[str, Any]:
+    """Return what the same model has in JSON below its root."""
     if "<!DOCTYPE" in text or "<!ENTITY" in text:  # which could make a small file fill the memory
         raise ValueError("it has a document type")
     root = ET.fromstring(text)
     if _tag(root) != "model":
         raise ValueError(f"its root is {_tag(root)[:40]!r}, not 'model'")
+    relations = [
+        dict(entry.attrib, refs=[ref.attrib for ref in entry]) for entry in root.iter() if _tag(entry) == "relation"
+    ]
+    cases = [
+        {"components": _xml_components(case)}
+        for spectrum in root if _tag(spectrum) == "load_spectrum" for case in spectrum if _tag(case) == "load_case"
+    ]  # fmt: skip
+    components = [entry for above in root if _tag(above) == "components" for entry in _xml_components(above)]
+    spectrum = {"load_cases": cases}
+    return dict(root.attrib, relations=relations, components=components, load_spectrum=spectrum)
 
-    def attributes(element: ET.Element) -> Attributes:
-        return {entry.attrib["id"]: ((entry.text or "").strip(), entry.get("unit", "")) for entry in element}
 
-    model = Model({"version": root.attrib["version"]})
-    for entry in root.iter():
-        if _tag(entry) == "relation":
-            roles = [(ref.attrib["role"], int(ref.attrib["id"])) for ref in entry]
-            model.relations.append((entry.attrib["type"], int(entry.get("order", 0)), roles))
-    for outer in root:
-        if _tag(outer) == "components":
-            for entry in outer:
-                component = Component(entry.attrib["type"], entry.get("name", ""), attributes(entry))
-                model.components[int(entry.attrib["id"])] = component
-        elif _tag(outer) == "load_spectrum":
-            cases = [entry for entry in outer if _tag(entry) == "load_case"]
-            model.load_cases += [{int(entry.attrib["id"]): attributes(entry) for entry in case} for case in cases]
-    return model
+def _xml_components(above: ET.Element) -> list[dict[str, Any]]:
+    return [
+        dict(component.attrib, attributes=[dict(entry.attrib, value=_xml_value(entry)) for entry in component])
+        for component in above
+    ]
+
+
+def _xml_value(attribute: ET.Element) -> str | list[str]:
+    arrays = [entry for entry in attribute if _tag(entry) == "array"]
+    return [entry.text or "" for entry in arrays[0]] if arrays else (attribute.text or "").strip()
 
 
 def _tag(element: ET.Element) -> str:
     return element.tag.rpartition("}")[2]
 
 
-def _of_json(text: str) -> Model:
-    root = json.loads(text)["model"]
-
-    def attributes(entries: list[dict[str, Any]]) -> Attributes:
-        values = {}
-        for entry in entries:
-            value = next((value for name, value in entry.items() if name not in ("id", "unit")), None)
-            values[str(entry["id"])] = value, str(entry.get("unit") or "")
-        return values
-
-    model = Model({"version": str(root["version"])})
-    for entry in root.get("relations", ()):
-        roles = [(str(ref["role"]), int(ref["id"])) for ref in entry["refs"]]
-        model.relations.append((entry["type"], int(entry.get("order") or 0), roles))
-    for entry in root["components"]:
-        component = Component(str(entry["type"]), str(entry.get("name") or ""), attributes(entry["attributes"]))
-        model.components[int(entry["id"])] = component
-    spectra = root.get("load_spectrum") or ()
-    for spectrum in [spectra] if isinstance(spectra, dict) else spectra:
-        for case in spectrum["load_cases"]:
-            model.load_cases.append({int(entry["id"]): attributes(entry["attributes"]) for entry in case["components"]})
-    return model
+def as_json(model: Model) -> str:
+    """Return a model as JSON."""
+    return json.dumps({"model": model.head | _document(model)}, indent=1, ensure_ascii=False) + "\n"
 
 
 def as_xml(model: Model) -> str:
     """Return a model as XML."""
-    root = ET.Element("model", model.head)
+    document, root = _document(model), ET.Element("model", model.head)
     relations = ET.SubElement(root, "relations")
-    for number, (type_, order, roles) in enumerate(model.relations, start=1):
-        placed = {} if order is None else {"order": str(order)}
-        relation = ET.SubElement(relations, "relation", {"id": str(number), "type": type_} | placed)
-        for role, other in roles:
-            hint = model.components[other].type
-            ET.SubElement(relation, "ref", {"id": str(other), "role": role, "hint": hint})
-
-    def write(above: ET.Element, entries: Iterator[tuple[int, Component, Attributes]]) -> None:
-        for number, component, attributes in entries:
-            named = {"name": component.name} if component.name else {}
-            element = ET.SubElement(above, "component", {"id": str(number), "type": component.type} | named)
-            for name, (value, unit) in attributes.items():
-                attribute = ET.SubElement(element, "attribute", {"id": name, "unit": unit})
-                if isinstance(value, list):
-                    array = ET.SubElement(attribute, "array")
-                    for entry in value:
-                        ET.SubElement(array, "c").text = repr(entry)
-                else:
-                    attribute.text = json.dumps(value) if isinstance(value, bool) else str(value)
-
-    write(ET.SubElement(root, "components"), _components(model))
+    for relation in document["relations"]:
+        element = _add(relations, "relation", relation)
+        for ref in relation["refs"]:
+            _add(element, "ref", ref)
+    _add_components(ET.SubElement(root, "components"), document)
     if model.load_cases:
-        spectrum = ET.SubElement(root, "load_spectrum", {"id": "1"})
-        for number, case in enumerate(model.load_cases, start=1):
-            write(ET.SubElement(spectrum, "load_case", {"id": str(number)}), _components(model, case))
+        spectrum = _add(root, "load_spectrum", document["load_spectrum"])
+        for case in document["load_spectrum"]["load_cases"]:
+            _add_components(_add(spectrum, "load_case", case), case)
     ET.indent(root)
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
 
 
-def as_json(model: Model) -> str:
-    """Return a model as JSON."""
+def _add(above: ET.Element, tag: str, entry: dict[str, Any]) -> ET.Element:
+    """Add an element with those values of an entry that are not lists."""
+    return ET.SubElement(above, tag, {name: str(value) for name, value in entry.items() if not isinstance(value, list)})
 
-    def components(entries: Iterator[tuple[int, Component, Attributes]]) -> list[dict[str, Any]]:
-        return [
-            {"id": number, "type": component.type}
-            | ({"name": component.name} if component.name else {})
-            | {"attributes": [_typed(name, *attribute) for name, attribute in attributes.items()]}
-            for number, component, attributes in entries
-        ]
 
+def _add_components(above: ET.Element, document: dict[str, Any]) -> None:
+    for component in document["components"]:
+        element = _add(above, "component", component)
+        for entry in component["attributes"]:
+            attribute, value = (
+                ET.SubElement(element, "attribute", {"id": entry["id"], "unit": entry["unit"]}),
+                _value(entry),
+            )
+            if isinstance(value, list):
+                array = ET.SubElement(attribute, "array")
+                for number in value:
+                    ET.SubElement(array, "c").text = repr(number)
+            else:
+                attribute.text = json.dumps(value) if isinstance(value, bool) else str(value)
+
+
+def _document(model: Model) -> dict[str, Any]:
+    """Return a model as JSON has it below its root."""
     relations = [
         {"id": number, "type": type_}
         | ({} if order is None else {"order": order})
         | {"refs": [{"id": other, "role": role, "hint": model.components[other].type} for role, other in roles]}
         for number, (type_, order, roles) in enumerate(model.relations, start=1)
     ]
+    attributes = {number: component.attributes for number, component in model.components.items()}
     cases = [
-        {"id": number, "components": components(_components(model, case))}
-        for number, case in enumerate(model.load_cases, start=1)
+        {"id": number, "components": _listed(model, case)} for number, case in enumerate(model.load_cases, start=1)
     ]
-    body = model.head | {"relations": relations, "components": components(_components(model))}
     spectrum = {"load_spectrum": {"id": 1, "load_cases": cases}} if cases else {}
-    return json.dumps({"model": body | spectrum}, indent=1, ensure_ascii=False) + "\n"
+    return {"relations": relations, "components": _listed(model, attributes)} | spectrum
 
 
-def _components(model: Model, case: dict[int, Attributes] | None = None) -> Iterator[tuple[int, Component, Attributes]]:
-    for number, component in model.components.items():
-        if case is None:
-            yield number, component, component.attributes
-        elif number in case:
-            yield number, component, case[number]
+def _listed(model: Model, attributes: dict[int, Attributes]) -> list[dict[str, Any]]:
+    """Return components that have attributes in the model itself or in a load case, in their order."""
+    return [
+        {"id": number, "type": component.type}
+        | ({"name": component.name} if component.name else {})
+        | {"attributes": [_typed(name, *attribute) for name, attribute in attributes[number].items()]}
+        for number, component in model.components.items()
+        if number in attributes
+    ]
 
 
 _ENUMS: Final = re.compile("_type$|_class$|absorption|^position|^kind$")

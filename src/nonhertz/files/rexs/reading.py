@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,9 +15,9 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.catalogue import commented, guessed_document
 from nonhertz.files.documents import parsed
 from nonhertz.files.rexs import attributes as table
-from nonhertz.files.rexs.attributes import Attribute
+from nonhertz.files.rexs.attributes import Attribute, array_of, number_of, word_of
+from nonhertz.files.rexs.loading import read_loading
 from nonhertz.files.rexs.model import Attributes, Model, read_model
-from nonhertz.files.rexs.writing import PAIRS
 from nonhertz.inputs.files import printable_name
 from nonhertz.model.materials import MATERIALS
 
@@ -33,8 +34,10 @@ _GUESSED_OF: Final = {
     "dynamic": ("kN", "radial_dynamic_load_rating"),
     "static": ("kN", "radial_static_load_rating"),
     "contact_angle": ("deg", "pressure_angle"),
-    "limiting_ratio": ("none", "catalogue_value_e"),
 }
+_TABLES: Final = ("bearing", "roller", "inner", "outer", "fit", "lubrication", "life", "load")
+_CLASSES: Final = {word: name for name, word in table.CLASS_WORDS.items()}
+_HALF_CONE: Final = table.PROFILE[2].id
 _STEEL, _LISTED, _OF_RATING, _USUAL_RATING = "100Cr6", 20, 0.1, 1e4
 
 
@@ -101,7 +104,7 @@ class _Bearing:
         self.own = model.components[number].attributes
         self.title = printable_name(model.components[number].name)
         self.sentences: list[str] = []
-        word = _word(self.own, "bearing_type")
+        word = word_of(self.own, "bearing_type")
         if word not in _KIND_OF:
             condition = "be a roller bearing of a kind that is known here: cylindrical, needle, tapered or spherical"
             raise InputError("bearing_type", word, condition, "choose another bearing of the model")
@@ -119,43 +122,63 @@ class _Bearing:
         }
         self.materials = {"roller": self._part(rollers[0], table.MATERIAL) if rollers else {}}
         self.materials |= dict.fromkeys(RINGS, self._part(number, table.MATERIAL))
-        absorbed = [_word(entry, "axial_force_absorption_of_row") for entry in self.rows]
-        self.absorbed = absorbed if len(rows) > 1 else [_word(self.own, "axial_force_absorption"), *absorbed]
+        absorbed = [word_of(entry, "axial_force_absorption_of_row") for entry in self.rows]
+        self.absorbed = absorbed if len(rows) > 1 else [word_of(self.own, "axial_force_absorption"), *absorbed]
 
     def _part(self, whole: int, kind: str) -> Attributes:
         number = next(iter(self.model.parts(whole, kind)), None)
         return {} if number is None else self.model.components[number].attributes
 
-    def value(self, entry: Attribute, among: Attributes | None = None) -> float | None:
-        """Return an attribute in units of the bearing file; None if it is not there."""
-        number = _number(self.components.get(entry.component, {}) if among is None else among, entry.unit, *entry.ids)
-        return None if number is None else entry.sign * number
-
     def document(self) -> dict[str, Any]:
         """Return what the bearing file holds."""
         document = self._rest()
-        for name in ("bearing", "roller", "inner", "outer", "lubrication", "life", "load"):
+        for name in _TABLES:
             document.setdefault(name, {})
-        for entry in table.EXCHANGED:
-            if self.kind in entry.kinds and entry.component in (table.BEARING, table.ROW, table.ROLLER):
-                self._put(document, entry)
-        self._clearance(document["bearing"])
+        self._exchange(document)
         keys = (*_NEEDED, *_NEEDED_BESIDE.get(self.kind, ()))
         absent = [key for key in keys if key.partition(".")[2] not in document[key.partition(".")[0]]]
         document["title"] = document.get("title") or self.title
         if absent:
             self._guess(document, absent)
         else:
-            document["bearing"]["kind"] = self.kind
-            self._arrange(document["bearing"])
-            if self.kind != "thrust":
-                self._raceways(document)
-            if table.REST not in self.own and self.kind != "spherical":
-                document["roller"]["profile"] = self._profile()
-            self._make_of(document)
+            self._complete(document)
         self._oil(document["lubrication"])
-        self._load(document)
+        self._put_loads(document)
         return {name: entry for name, entry in document.items() if entry or name == "load"}
+
+    def _exchange(self, document: dict[str, Any]) -> None:
+        """Put in what attributes hold."""
+        for entry in table.EXCHANGED:
+            if self.kind in entry.kinds and entry.component in (table.BEARING, table.ROW, table.ROLLER):
+                self._put(document, entry)
+        if self.kind == "tapered" and len(self.rows) == 1:
+            clearance = number_of(self.own, "mum", "operating_axial_bearing_clearance") or 0.0
+            document["bearing"].setdefault("clearance", clearance)
+        self._put_classes(document)
+
+    def _put_classes(self, document: dict[str, Any]) -> None:
+        operating = ("operating_radial_bearing_clearance", "operating_axial_bearing_clearance")
+        mounted = any(number_of(self.own, "mum", name) for name in operating)
+        for entry in table.CLASSES:
+            *tables, name = entry.key.split(".")
+            word = word_of(self.own, entry.id)
+            # An operating clearance has seats in it already.
+            if word and self.kind in entry.kinds and not (mounted and "fit" in tables):
+                _place(document, tables).setdefault(name, _CLASSES.get(word, word))
+
+    def _complete(self, document: dict[str, Any]) -> None:
+        """Put in kind, arrangement, raceways, profile and materials of a bearing whose rollers are known."""
+        document["bearing"]["kind"] = self.kind
+        self._arrange(document["bearing"])
+        if self.kind != "thrust":
+            self._raceways(document)
+        if "profile" not in document["roller"] and self.kind != "spherical":
+            document["roller"]["profile"] = self._profile(document["roller"]["length"])
+        self._make_of(document)
+        for seat, size in (("shaft", "bore"), ("housing", "outside_diameter")):
+            # One seat alone is not enough, nor is one without a ring on it.
+            if seat not in document["fit"] or not (size in document["bearing"] or "diameter" in document["fit"][seat]):
+                document["fit"] = {}
 
     def _rest(self) -> dict[str, Any]:
         text = self.own.get(table.REST, ("{}", ""))[0]
@@ -170,25 +193,13 @@ class _Bearing:
     def _put(self, document: dict[str, Any], entry: Attribute) -> None:
         """Put an attribute in the place of its key."""
         *tables, name = entry.key.split(".")
-        if "pair" in tables and len(self.rows) < 2:
-            return
-        place, value = document, self.value(entry)
+        value = entry.number(self.components.get(entry.component, {}))
         # Zero is what others write for unknown numbers, but for clearances.
-        if value is None or (value == 0.0 and name != "clearance"):
+        if value is None or (value == 0.0 and name != "clearance") or ("pair" in tables and len(self.rows) < 2):
             return
-        for step in tables:
-            place = place.setdefault(step, {})
+        place = _place(document, tables)
         if name not in place or not (entry.value or name == "clearance"):
             place[name] = int(value) if name == "rollers" else value
-
-    def _clearance(self, bearing: dict[str, Any]) -> None:
-        group = _word(self.own, "radial_clearance_class")
-        if "clearance" in bearing or self.kind == "thrust":
-            return
-        if self.kind == "tapered" and len(self.rows) == 1:
-            bearing["clearance"] = _number(self.own, "mum", "operating_axial_bearing_clearance") or 0.0
-        elif group and self.kind != "tapered":
-            bearing["clearance"] = group.replace("C0", "CN")
 
     def _arrange(self, bearing: dict[str, Any]) -> None:
         """Put in design and pair, by the directions in which rows bear axial loads."""
@@ -212,19 +223,11 @@ class _Bearing:
     def _raceways(self, document: dict[str, Any]) -> None:
         """Put in cones and raceways that are not given, and take out a pitch circle that goes without saying."""
         bearing, roller, inner, outer = (document[name] for name in ("bearing", "roller", *RINGS))
-        pitch, angle = bearing["pitch_diameter"], bearing.get("contact_angle", 0.0)
+        pitch, across, angle = bearing["pitch_diameter"], roller["diameter"], bearing.get("contact_angle", 0.0)
+        half = self._make_cone(roller, pitch, angle) if self.kind == "tapered" and isinstance(across, float) else 0.0
         if "diameter" not in inner or "diameter" not in outer:
-            across, length = roller["diameter"], roller["length"]
-            if self.kind == "tapered":
-                half = half_cone(across / pitch, angle)
-                raceways = [pitch * math.tan(entry) / math.tan(angle - half) for entry in (angle - 2.0 * half, angle)]
-                ends = [across + sign * length * math.tan(half) for sign in (1.0, -1.0)]
-                roller["diameter"] = {"y": [-0.5 * length, 0.5 * length], "diameter": ends}
-                self.sentences.append("- rollers and raceways are cones that meet in one point")
-            else:
-                raceways = [pitch + sign * across / math.cos(angle) for sign in (-1.0, 1.0)]
+            inner["diameter"], outer["diameter"] = _raceway_diameters(pitch, across, angle, half)
             self.sentences.append("- raceways touch the rollers on their pitch circle; corners and ribs are not known")
-            inner["diameter"], outer["diameter"] = raceways[0], -raceways[1]
             for ring, name, sign in ((inner, "bore", 1.0), (outer, "outside_diameter", -1.0)):
                 depth = 0.5 * sign * (abs(ring["diameter"]) - bearing.get(name, 0.0)) if name in bearing else 0.0
                 if depth > 0.0:
@@ -234,9 +237,23 @@ class _Bearing:
         if math.isclose(pitch, 0.5 * (inner["diameter"] - outer["diameter"]), rel_tol=1e-9):
             del bearing["pitch_diameter"]
 
-    def _profile(self) -> list[dict[str, Any]]:
-        radius = _number(self.components[table.ROLLER], "mm", "roller_crowning_radius")
-        if radius:
+    def _make_cone(self, roller: dict[str, Any], pitch: float, angle: float) -> float:
+        """Make the rollers cones, and return half of the cone's angle [rad]."""
+        across, length = roller["diameter"], roller["length"]
+        half = number_of(self.components[table.ROLLER], "deg", _HALF_CONE)
+        if half is None:
+            half = half_cone(across / pitch, angle)
+            self.sentences.append("- rollers and raceways are cones that meet in one point")
+        ends = [across + sign * length * math.tan(half) for sign in (1.0, -1.0)]
+        roller["diameter"] = {"y": [-0.5 * length, 0.5 * length], "diameter": ends}
+        return half
+
+    def _profile(self, length: float) -> list[dict[str, Any]]:
+        roller = self.components[table.ROLLER]
+        y, relief = (array_of(roller, entry.unit, entry.id) for entry in table.PROFILE[:2])
+        if len(y) == len(relief) > 1:
+            return [{"kind": "tabulated", **_extended(y, relief, 0.5 * length)}]
+        if radius := number_of(roller, "mm", "roller_crowning_radius"):
             return [{"kind": "crown", "radius": radius}]
         self.sentences.append("- profile of the rollers: the reference profile of ISO 16281; put yours in its place")
         return [{"kind": {"tapered": "iso-tapered", "thrust": "iso-thrust"}.get(self.kind, "iso-logarithmic")}]
@@ -244,10 +261,10 @@ class _Bearing:
     def _make_of(self, document: dict[str, Any]) -> None:
         for body, attributes in self.materials.items():
             modulus, poisson = (
-                _number(attributes, "MPa", "elastic_modulus"),
-                _number(attributes, "none", "poisson_ratio"),
+                number_of(attributes, "MPa", "elastic_modulus"),
+                number_of(attributes, "none", "poisson_ratio"),
             )
-            word = _word(attributes, "material_designation")
+            word = word_of(attributes, "material_designation")
             material: Any = word if word in MATERIALS else _STEEL
             if word not in MATERIALS and modulus and poisson is not None:
                 material = {"modulus": modulus, "poisson": poisson}
@@ -255,21 +272,11 @@ class _Bearing:
 
     def _guess(self, document: dict[str, Any], absent: list[str]) -> None:
         """Put in an inside that is guessed from catalogue numbers; refuse where that cannot be."""
-        tapered = self.kind == "tapered"
-        catalogue = {
-            name: value
-            for name, (unit, attribute) in _GUESSED_OF.items()
-            if (value := _number({**self.own, **self.components[table.ROW]}, unit, attribute))
-            and (tapered or name not in ("contact_angle", "limiting_ratio"))
-        }
-        if "contact_angle" in catalogue:
-            catalogue.pop("limiting_ratio", None)
-        unknown = [_GUESSED_OF[name][1] for name in [*_GUESSED_OF][: 6 if tapered else 5] if name not in catalogue]
-        if "limiting_ratio" in catalogue:
-            unknown.remove("pressure_angle")
-        if unknown or self.kind in ("spherical", "thrust") or len(self.rows) > 1:
+        catalogue = self._catalogue()
+        unknown = [attribute for name, (_, attribute) in _GUESSED_OF.items() if name not in catalogue]
+        able = self.kind not in ("spherical", "thrust") and len(self.rows) < 2
+        if unknown or not able:
             names = [entry.id for entry in table.EXCHANGED if entry.key in absent and "custom" not in entry.id]
-            able = self.kind not in ("spherical", "thrust") and len(self.rows) < 2
             rather = f", or {joined(unknown)} for a guess" if able else ""
             condition = f"have the inside of the bearing, of which {joined(names)} are missing{rather}"
             raise InputError("component", self.number, condition, "export it with detailed geometry")
@@ -278,17 +285,23 @@ class _Bearing:
         guessed = guessed_document(guess)
         document |= {name: guessed[name] for name in ("bearing", "roller", *RINGS)}
 
+    def _catalogue(self) -> dict[str, Any]:
+        """Return the numbers of a catalogue that a guess takes, with an angle of 0 where it needs none."""
+        attributes = {**self.own, **self.components[table.ROW]}
+        numbers = {name: number_of(attributes, *entry) for name, entry in _GUESSED_OF.items()}
+        catalogue: dict[str, Any] = {name: number for name, number in numbers.items() if number}
+        if self.kind != "tapered":
+            return catalogue | {"contact_angle": None}
+        if "contact_angle" not in catalogue and (ratio := number_of(attributes, "none", "catalogue_value_e")):
+            catalogue["contact_angle"] = math.atan(ratio / 1.5)
+        return catalogue
+
     def _oil(self, oil: dict[str, Any]) -> None:
         """Put in the oil, and take out what needs one if there is none."""
         attributes = self.components[table.OIL]
-        pair = [_number(attributes, "mm^2 / s", f"viscosity_at_{at}_degree_celsius") for at in (40, 100)]
-        name = _word(attributes, "name").replace("-", " ")
         if "viscosity" not in oil and "temperature" in oil:
-            if all(pair):
-                oil["viscosities"] = pair
-            elif name.startswith("ISO VG"):
-                oil["oil"] = name
-        if _word(attributes, "kind") == "grease":
+            oil |= _oil_of(attributes)
+        if word_of(attributes, "kind") == "grease":
             oil["grease"] = True
         if not oil.keys() & {"viscosity", "viscosities", "oil"}:
             for entry in ("temperature", "contamination", "grease"):
@@ -296,71 +309,56 @@ class _Bearing:
         elif "viscosity" in oil and table.REST not in self.own:
             oil.pop("temperature", None)
 
-    def _load(self, document: dict[str, Any]) -> None:
-        """Put in the loads of the first load case that has any of this bearing."""
-        cases = [case[self.number] for case in self.model.load_cases if self.number in case]
-        states = [entry for entry in (*cases, self.own) if self._state(entry)]
-        state, load = (states or [{}])[0], document["load"]
-        load |= self._state(state)
-        if len(cases) > 1 and states:
-            self.sentences.append(f"- loads are those of the first of {len(cases)} load cases; the others are left out")
-        inner, outer = (self.value(entry, {**self.own, **state}) or 0.0 for entry in table.SPEEDS)
-        if inner or outer:
-            load["speed"] = abs(inner or outer)
-            if not inner:
-                document["life"]["turning"] = "outer"
-            elif outer:
-                self.sentences.append("- both rings turn; here the outer one is at rest")
-        if not states:
-            self.sentences.append("- the file has no loads of this bearing: put yours in place of the example")
-            usual = _OF_RATING * document["life"].get("dynamic", _USUAL_RATING)
-            load["axial" if self.kind == "thrust" else "radial"] = usual
-            if self.kind == "tapered":
-                load["axial"] = 2.0 * math.tan(document["bearing"]["contact_angle"]) * usual
+    def _put_loads(self, document: dict[str, Any]) -> None:
+        # Rows bear axial loads along +x here.
+        loading = read_loading(self.model, self.number, self.absorbed[:1] == ["negative"] and len(self.rows) < 2)
+        load = document["load"]
+        load |= loading.load
+        self.sentences += loading.sentences
+        if loading.turning:
+            document["life"]["turning"] = loading.turning
+        if loading.spectrum:
+            document["life"]["spectrum"] = loading.spectrum
+        if not loading.load.keys() - {"speed"}:
+            self._put_example(document, load)
 
-    def _state(self, state: Attributes) -> dict[str, Any]:
-        """Return loads and motions of a load case as a bearing file has them; empty if there are none."""
-        values: dict[str, Any] = {}
-        for entry in (*table.LOADS, *table.REACTIONS):
-            value = self.value(entry, state)
-            name, _, place = entry.key.removeprefix("load.").partition(".")
-            if value is not None:
-                values.setdefault(name, {}).setdefault(int(place or 0), value)
-        pairs = {name: [entry.get(0, 0.0), entry.get(1, 0.0)] for name, entry in values.items()}
-        if table.PRESCRIBED in state:
-            pairs = {name: pairs[name] for name in _word(state, table.PRESCRIBED).split() if name in pairs}
-        else:
-            # Forces, or displacements where there are none, and the tilt, or the moment where there is none.
-            order = (("radial", "radial_displacement"), ("axial", "axial_displacement"), ("tilt", "moment"))
-            names = [next((name for name in entry if any(pairs.get(name, ()))), "") for entry in order]
-            pairs = {name: pairs[name] for name in names if name}
-        if self.absorbed[:1] == ["negative"] and len(self.rows) < 2:
-            # Rows bear axial loads along +x here: by half a turn about v.
-            pairs = {name: [a, -b] if name in PAIRS else [-a, b] for name, (a, b) in pairs.items()}
-        return {
-            name: pair[0] if name not in PAIRS else pair if pair[1 - PAIRS[name]] else pair[PAIRS[name]]
-            for name, pair in pairs.items()
-        }
+    def _put_example(self, document: dict[str, Any], load: dict[str, Any]) -> None:
+        self.sentences.append("- the file has no loads of this bearing: put yours in place of the example")
+        usual = _OF_RATING * document["life"].get("dynamic", _USUAL_RATING)
+        load["axial" if self.kind == "thrust" else "radial"] = usual
+        if self.kind == "tapered":
+            load["axial"] = 2.0 * math.tan(document["bearing"]["contact_angle"]) * usual
 
 
-def _word(attributes: Attributes, name: str) -> str:
-    return str(attributes.get(name, ("", ""))[0] or "")
+def _oil_of(attributes: Attributes) -> dict[str, Any]:
+    pair = [number_of(attributes, "mm^2 / s", f"viscosity_at_{at}_degree_celsius") for at in (40, 100)]
+    name = word_of(attributes, "name").replace("-", " ")
+    if all(pair):
+        return {"viscosities": pair}
+    return {"oil": name} if name.startswith("ISO VG") else {}
 
 
-def _number(attributes: Attributes, unit: str, *names: str) -> float | None:
-    """Return the first attribute of these names in units of the bearing file; None where it is not there, or empty."""
-    name = next((entry for entry in names if entry in attributes), "")
-    value, stated = attributes.get(name, (None, ""))
-    if value is None or value == "":
-        return None
-    # A number that states no unit is in that of REXS.
-    size = table.UNITS.get(unit if stated in ("", "none") else stated)
-    if size is None:
-        raise InputError(f"the unit of {name}", stated, f"be {unit}", "correct it in the file")
-    try:
-        number = float(value)
-    except (TypeError, ValueError, OverflowError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise InputError(name, str(value)[:40], "be a number", "correct it in the file")
-    return size * number
+def _place(document: dict[str, Any], tables: Iterable[str]) -> dict[str, Any]:
+    """Return a table below others, made where it is missing."""
+    for name in tables:
+        document = document.setdefault(name, {})
+    return document
+
+
+def _raceway_diameters(pitch: float, across: float, angle: float, half_cone_angle: float) -> tuple[float, float]:
+    """Return diameters of raceways that touch rollers on the pitch circle, of tapered ones with a common apex."""
+    if not half_cone_angle:
+        gap = across / math.cos(angle)
+        return pitch - gap, -(pitch + gap)
+    axis = math.tan(angle - half_cone_angle)
+    return pitch * math.tan(angle - 2.0 * half_cone_angle) / axis, -pitch * math.tan(angle) / axis
+
+
+def _extended(y: list[float], relief: list[float], end: float) -> dict[str, list[float]]:
+    """Return a profile that reaches both ends of a roller, straight on from its last places."""
+    first, last = (
+        relief[k] + (relief[k] - relief[j]) / (y[k] - y[j]) * (place - y[k])
+        for k, j, place in ((0, 1, -end), (-1, -2, end))
+    )
+    inside = [(place, drop) for place, drop in zip(y, relief, strict=True) if abs(place) < end]
+    return {"y": [-end, *(place for place, _ in inside), end], "relief": [first, *(drop for _, drop in inside), last]}

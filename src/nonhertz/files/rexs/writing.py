@@ -26,10 +26,9 @@ from nonhertz.files.rexs.model import VERSION, Attributes, Model, as_json, as_xm
 from nonhertz.model.materials import MATERIALS
 
 FORMS: Final = {"xml": as_xml, "json": as_json}
-#: Loads and motions of two axes, and which of them one number alone is.
-PAIRS: Final = {"radial": 0, "radial_displacement": 0, "moment": 1, "tilt": 1}
 _FORCES, _MOTIONS = ("f_u", "f_v", "f_w", "m_v", "m_w"), ("d_u", "d_v", "d_w", "rot_v", "rot_w")
 _LIVES: Final = ("basic_life", "reference_life", "modified_life")
+_PLACES: Final = 81  # along a roller's profile
 LOADS: Final = ("radial", "axial", "moment", "radial_displacement", "axial_displacement", "tilt")
 
 
@@ -91,82 +90,146 @@ def write_rexs(
 def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLife | None) -> Model:
     document = copy.deepcopy(case.own_document)
     del document["format"]
-    rows, kind = case.bearing.rows, document["bearing"].pop("kind")
-    row = rows[0].bearing
-    low, high = row.effective_interval
-    y = row.roller_length * np.linspace(-0.5, 0.5, 41)
-    known = SimpleNamespace(
-        case=case, row=row, effective_length=high - low, profile_y=y, profile_relief=row.roller.profile.relief(y)
-    )
+    kind = document["bearing"].pop("kind")
     date = datetime.now(UTC).astimezone().isoformat(timespec="seconds")
     names = ("version", "applicationId", "applicationVersion", "date")
     model = Model(dict(zip(names, (VERSION, "nonhertz", __version__, date), strict=True)))
-    loads, oil, materials = _load_case(document["load"], case.life.turning), _oil(document), _materials(document)
-    # With fits the clearance is that before mounting.
-    other = f"{'radial' if case.fit is None else 'operating_radial'}_bearing_clearance"
-    exchanged = [entry for entry in table.EXCHANGED if entry.id != other and kind in entry.kinds]
-    of_bearing, of_rows, of_rollers = (
-        _taken([entry for entry in exchanged if entry.component == component], document, known)
-        for component in (table.BEARING, table.ROW, table.ROLLER)
-    )
-    of_rollers |= _read_off(table.PROFILE, known, kind)
+    loads = [document["load"], *document.get("life", {}).pop("spectrum", ())]
+    states = [_load_case(load, case.life.turning) for load in loads]
     # A bearing has its place in REXS between two other components.
-    unit, shaft, casing = (model.add(entry) for entry in ("gear_unit", "shaft", "gear_casing"))
-    bearing = model.add(table.BEARING, case.title or row.kind)
+    unit, shaft, casing = (model.add(entry) for entry in (table.GEAR_UNIT, "shaft", "gear_casing"))
+    bearing = model.add(table.BEARING, case.title or case.bearing.rows[0].bearing.kind)
     for part in (shaft, casing):
         model.relate("assembly", assembly=unit, part=part)
     model.relate("side", assembly=bearing, inner_part=shaft, outer_part=casing)
+    material = _add_materials(model, bearing, document)
+    attributes = _exchanged(case, document, kind)
+    rollers = _add_rows(model, bearing, case, attributes, material)
+    rest = json.dumps({name: entry for name, entry in document.items() if entry}), "none"
+    model.components[bearing].attributes |= attributes[table.BEARING] | _words(case, kind) | {table.REST: rest}
+    if solution is not None:
+        states[0] |= _of_ring(solution, states[0]) | _read_off(table.RESULTS, _known_of(case, solution, life), kind)
+    model.load_cases = [time | {bearing: state} for time, state in zip(_times(case, unit), states, strict=True)]
+    if solution is not None:
+        model.load_cases[0] |= _add_contacts(model, rollers, case, solution, kind)
+    return model
+
+
+def _exchanged(case: BearingCase, document: dict[str, Any], kind: str) -> dict[str, Attributes]:
+    """Take the keys that are attributes out of a document, by component."""
+    row = case.bearing.rows[0].bearing
+    low, high = row.effective_interval
+    # Closer to each other towards the ends, where profiles fall off and may have no end.
+    y = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(math.pi * (np.arange(_PLACES) + 0.5) / _PLACES)
+    known = SimpleNamespace(
+        case=case, row=row, effective_length=high - low, profile_y=y, profile_relief=row.roller.profile.relief(y)
+    )
+    # With fits the clearance is that before mounting.
+    other = f"{'radial' if case.fit is None else 'operating_radial'}_bearing_clearance"
+    entries = [entry for entry in table.EXCHANGED if entry.id != other and kind in entry.kinds]
+    attributes = {
+        component: _taken([entry for entry in entries if entry.component == component], document, known)
+        for component in (table.BEARING, table.ROW, table.ROLLER)
+    }
+    attributes[table.BEARING] |= _classes(document, kind)
+    attributes[table.ROLLER] |= _read_off(table.PROFILE, known, kind)
+    return attributes
+
+
+def _classes(document: dict[str, Any], kind: str) -> Attributes:
+    """Take classes of bores, seats and clearance out of a document."""
+    attributes: Attributes = {}
+    for entry in table.CLASSES:
+        place, name = _place_of(document, entry)
+        word = place.get(name)
+        if kind in entry.kinds and isinstance(word, str):
+            attributes[entry.id] = table.CLASS_WORDS.get(word, word), "none"
+            del place[name]
+    return attributes
+
+
+def _place_of(document: dict[str, Any], entry: Attribute) -> tuple[dict[str, Any], str]:
+    """Return the table of a key, empty where it is missing, and its name there."""
+    *tables, name = entry.key.split(".")
+    for step in tables:
+        document = document.get(step, {})
+    return document, name
+
+
+def _words(case: BearingCase, kind: str) -> Attributes:
+    """Return what kind of bearing it is, in the words of REXS."""
+    rows = case.bearing.rows
+    up, down = (any(entry.bears_axially[k] for entry in rows) for k in range(2))
+    return {
+        "bearing_type": (table.TYPES[kind][0], "none"),
+        "axial_force_absorption": (table.DIRECTIONS[up, down], "none"),
+        "radial_force_absorption": (rows[0].bearing.bears_radially, "none"),
+        "number_of_bearing_rows": (len(rows), "none"),
+    }
+
+
+def _add_materials(model: Model, bearing: int, document: dict[str, Any]) -> int | None:
+    """Add oil and materials, and return the number of that of the rollers."""
+    oil = _oil(document)
     if oil:
         model.relate("reference", origin=bearing, referenced=model.add(table.OIL, "oil", oil))
-    made_of = {name: model.add(table.MATERIAL, name, entry) for name, entry in materials.items()}
-    if "rings" in made_of:
-        model.relate("reference", origin=bearing, referenced=made_of["rings"])
-    contacts = []
-    for order, entry in enumerate(rows, start=1):
+    numbers = {name: model.add(table.MATERIAL, name, entry) for name, entry in _materials(document).items()}
+    if "rings" in numbers:
+        model.relate("reference", origin=bearing, referenced=numbers["rings"])
+    return numbers.get("rollers")
+
+
+def _add_rows(
+    model: Model, bearing: int, case: BearingCase, attributes: dict[str, Attributes], material: int | None
+) -> list[int]:
+    """Add rows and rollers, and return the numbers of all rollers."""
+    rollers = []
+    for order, entry in enumerate(case.bearing.rows, start=1):
         words = {
             "axial_force_absorption_of_row": (table.DIRECTIONS[entry.bears_axially], "none"),
             "position_of_rolling_elements": ("one_rolling_element_on_v_axis", "none"),
         }
-        number = model.add(table.ROW, f"row {order}", of_rows | words)
-        model.relate("ordered_assembly", order, assembly=bearing, part=number)
+        row = model.add(table.ROW, f"row {order}", attributes[table.ROW] | words)
+        model.relate("ordered_assembly", order, assembly=bearing, part=row)
         for k, angle in enumerate(entry.bearing.angles.tolist(), start=1):
-            roller = model.add(
-                table.ROLLER, "", of_rollers | {"angular_position_around_u": (math.degrees(angle), "deg")}
-            )
-            model.relate("ordered_assembly", k, assembly=number, part=roller)
-            if "rollers" in made_of:
-                model.relate("reference", origin=roller, referenced=made_of["rollers"])
-            for ring in RINGS if solution is not None else ():
-                word = {"rolling_element_contact_type": (f"{ring}_raceway_contact", "none")}
-                contacts.append(model.add(table.CONTACT, "", word))
-                model.relate("assembly", assembly=roller, part=contacts[-1])
-    up, down = (any(entry.bears_axially[k] for entry in rows) for k in range(2))
-    group = document["bearing"].get("clearance")
-    model.components[bearing].attributes |= of_bearing | {
-        "bearing_type": (table.TYPES[kind][0], "none"),
-        "axial_force_absorption": (table.DIRECTIONS[up, down], "none"),
-        "radial_force_absorption": (row.bears_radially, "none"),
-        "number_of_bearing_rows": (len(rows), "none"),
-        **({"radial_clearance_class": (group.replace("CN", "C0"), "none")} if isinstance(group, str) else {}),
-        table.REST: (json.dumps({name: entry for name, entry in document.items() if entry}), "none"),
-    }
-    state = {bearing: loads}
-    if solution is not None:
-        loads |= _of_ring(solution, loads) | _read_off(table.RESULTS, _known_of(case, solution, life), kind)
-        for number, at in zip(contacts, _known_of_contacts(case, solution), strict=True):
-            state[number] = _read_off(table.CONTACTS, at, kind)
-    model.load_cases.append(state)
-    return model
+            at = {"angular_position_around_u": (math.degrees(angle), "deg")}
+            rollers.append(model.add(table.ROLLER, "", attributes[table.ROLLER] | at))
+            model.relate("ordered_assembly", k, assembly=row, part=rollers[-1])
+            if material is not None:
+                model.relate("reference", origin=rollers[-1], referenced=material)
+    return rollers
+
+
+def _add_contacts(
+    model: Model, rollers: list[int], case: BearingCase, solution: BearingSolution, kind: str
+) -> dict[int, Attributes]:
+    """Add a contact at each ring for every roller, and return their results."""
+    states = {}
+    for roller, at_rings in zip(rollers, _known_of_contacts(case, solution), strict=True):
+        for ring, known in zip(RINGS, at_rings, strict=True):
+            word = {"rolling_element_contact_type": (f"{ring}_raceway_contact", "none")}
+            contact = model.add(table.CONTACT, "", word)
+            model.relate("assembly", assembly=roller, part=contact)
+            states[contact] = _read_off(table.CONTACTS, known, kind)
+    return states
+
+
+def _times(case: BearingCase, unit: int) -> list[dict[int, Attributes]]:
+    """Return a load case of the gear unit for the load, and one with its share of the time for each of a spectrum."""
+    spectrum = case.spectrum
+    if not all(entry.speed for entry in spectrum):
+        return [{}] * (1 + len(spectrum))
+    times = [entry.share / entry.speed for entry in spectrum]
+    percent = 100.0 * sum(entry.share for entry in spectrum) / (sum(times) or 1.0)
+    return [{}, *({unit: {table.TIME_SHARE: (percent * time, "%")}} for time in times)]
 
 
 def _taken(entries: Iterable[Attribute], document: dict[str, Any], known: Any) -> Attributes:
     """Take the keys that are attributes out of a document."""
     attributes: Attributes = {}
     for entry in entries:
-        *tables, name = entry.key.split(".")
-        place: Any = document
-        for step in tables:
-            place = place.get(step, {})
+        place: Any
+        place, name = _place_of(document, entry)
         value = place.get(name)
         if isinstance(value, int):
             attributes[entry.id] = place.pop(name), entry.unit
@@ -190,21 +253,25 @@ def _read_off(entries: Iterable[Attribute], known: Any, kind: str) -> Attributes
 
 
 def _load_case(load: dict[str, Any], turning: str) -> Attributes:
-    """Take what is prescribed out of the table of loads."""
-    names = [name for name in LOADS if name in load]
-    for name in names:
-        if name in PAIRS and not isinstance(load[name], list):
-            load[name] = [load[name], 0.0] if PAIRS[name] == 0 else [0.0, load[name]]
-    attributes: Attributes = {table.PRESCRIBED: (" ".join(names), "none")}
+    """Take what is prescribed, a speed and a share of the revolutions out of a table of loads."""
+    prescribed = {name: _paired(name, load.pop(name)) for name in LOADS if name in load}
+    attributes: Attributes = {table.PRESCRIBED: (" ".join(prescribed), "none")}
     for entry in table.LOADS:
         key, _, place = entry.key.removeprefix("load.").partition(".")
-        if key in load:
-            attributes[entry.id] = (load[key][int(place)] if place else load[key]) / entry.size, entry.unit
-    for name in names:
-        del load[name]
+        if key in prescribed:
+            attributes[entry.id] = prescribed[key][int(place or 0)] / entry.size, entry.unit
     if "speed" in load:
         attributes[f"speed_{turning}_ring"] = load.pop("speed"), "1 / min"
+    if "share" in load:
+        attributes[table.REVOLUTION_SHARE] = load.pop("share"), "none"
     return attributes
+
+
+def _paired(name: str, value: float | list[float]) -> list[float]:
+    """Return values about both axes, or one value of the bearing's axis."""
+    if isinstance(value, list) or name not in table.PAIRS:
+        return value if isinstance(value, list) else [value]
+    return [value, 0.0] if table.PAIRS[name] == 0 else [0.0, value]
 
 
 def _of_ring(solution: BearingSolution, prescribed: Attributes) -> Attributes:
@@ -236,20 +303,28 @@ def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | 
     )  # fmt: skip
 
 
-def _known_of_contacts(case: BearingCase, solution: BearingSolution) -> Iterator[dict[str, Any]]:
+def _known_of_contacts(case: BearingCase, solution: BearingSolution) -> Iterator[list[dict[str, Any]]]:
     """Yield what is known of every roller at the inner and at the outer ring."""
-    by_strips = solution.method == "strips"
-    slices = [] if by_strips else slice_loads(solution, case.solver.laminae)
-    of_slices = [(entry.y, load) for entry, loads in slices for load in loads]
-    for j in range(solution.angle.size):
-        for k, ring in enumerate(RINGS):
-            known = {name: getattr(solution, name)[j, k] for name in ("load", "moment", "contact_angle")}
-            if not by_strips:
-                known |= {"y": of_slices[j][0], "lamina_load": of_slices[j][1][k]}
-            elif (contact := solution.contact(j, ring)) is not None:
-                known |= {"y": contact.y, "lamina_load": contact.line_load * contact.strip_width}
-                known |= {"pressure": contact.centre_pressure, "max_pressure": solution.max_pressure[j, k]}
-            yield known
+    if solution.method == "strips":
+        details = ([_of_strips(solution, j, ring) for ring in range(2)] for j in range(solution.angle.size))
+    else:
+        slices = slice_loads(solution, case.solver.laminae)
+        details = ([{"y": entry.y, "lamina_load": at} for at in load] for entry, loads in slices for load in loads)
+    for j, at_rings in enumerate(details):
+        yield [
+            {name: getattr(solution, name)[j, k] for name in ("load", "moment", "contact_angle")} | detail
+            for k, detail in enumerate(at_rings)
+        ]
+
+
+def _of_strips(solution: BearingSolution, roller: int, ring: int) -> dict[str, Any]:
+    contact = solution.contact(roller, RINGS[ring])
+    if contact is None:
+        return {}
+    return {
+        "y": contact.y, "lamina_load": contact.line_load * contact.strip_width, "pressure": contact.centre_pressure,
+        "max_pressure": solution.max_pressure[roller, ring],
+    }  # fmt: skip
 
 
 def _oil(document: dict[str, Any]) -> Attributes:
