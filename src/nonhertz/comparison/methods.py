@@ -73,8 +73,8 @@ def compare(
     >>> from nonhertz.model.body import Plate, Roller
     >>> from nonhertz.model.profile import crown
     >>> contact = Contact(Roller(diameter=20, length=20, profile=crown(radius=4000)), Plate())
-    >>> found = compare(contact, load=6e3, cells=(48, 96))
-    >>> semi_elliptic, parabolic = found.quantity("approach").differences
+    >>> compared = compare(contact, load=6e3, cells=(48, 96))
+    >>> semi_elliptic, parabolic = compared.quantity("approach").differences
     >>> abs(semi_elliptic) < 1e-3 < abs(parabolic)
     True
     """
@@ -83,7 +83,7 @@ def compare(
         checked_cells(cells)
     if threads is not None:
         thread_count(threads)
-    given: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
+    prescribed: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
     def timed(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
         """Return an outcome and the median time of ``again`` further runs, or that of the first if there are none."""
@@ -101,11 +101,11 @@ def compare(
 
     def on_strips(element: Element) -> tuple[Solution, float]:
         aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}
-        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **given, element=element, **aim))
+        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **prescribed, element=element, **aim))
 
     with without_accuracy_warnings():
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
-        on_grid = functools.partial(solve_patch, contact, **given, cells=cells, threads=threads)
+        on_grid = functools.partial(solve_patch, contact, **prescribed, cells=cells, threads=threads)
         patch, of_patch = timed("plane grid", 0, on_grid)
     if not patch.footprint.any():
         # An approach so small that strips touch but no cell centre does.

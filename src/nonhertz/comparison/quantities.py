@@ -83,11 +83,11 @@ def centre(semi: Solution) -> float:
 def _at(at: float, y: Array, values: Array) -> float:
     """Return a value between strips or cells: a cubic through the four nearest if all are in contact, else linear."""
     first = int(np.clip(np.searchsorted(y, at) - NEAREST // 2, 0, max(y.size - NEAREST, 0)))
-    near, found = y[first : first + NEAREST], values[first : first + NEAREST]
-    if near.size < NEAREST or np.any(found <= 0.0):
+    near, near_values = y[first : first + NEAREST], values[first : first + NEAREST]
+    if near.size < NEAREST or np.any(near_values <= 0.0):
         return float(np.interp(at, y, values))
     weights = [np.prod([(at - other) / (here - other) for other in near if other != here]) for here in near]
-    return float(np.array(weights) @ found)
+    return float(np.array(weights) @ near_values)
 
 
 def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[float, float]:
@@ -96,12 +96,12 @@ def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[f
     For all methods, the half-width next to singular ends, as found by semi-elliptic strips, is left out.
     """
     half_width = np.where(one.centre_pressure > 0.0, np.interp(one.y, semi.y, semi.half_width), 0.0)
-    places, found, _ = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
-    if not np.any(found > 0.0):
+    places, pressures, _ = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
+    if not np.any(pressures > 0.0):
         return math.nan, math.nan
-    largest = np.flatnonzero(found >= (1.0 - SAME) * found.max())
+    largest = np.flatnonzero(pressures >= (1.0 - SAME) * pressures.max())
     at = largest[np.abs(places[largest] - near).argmin()]
-    return float(found.max()), float(places[at])
+    return float(pressures.max()), float(places[at])
 
 
 def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, Station]:

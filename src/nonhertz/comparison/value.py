@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 NOTABLE = 0.01  # relative difference of pressures along the line
-_READ = {each.label: each.shown_unit for each in QUANTITIES.values()}
+_READ = {quantity.label: quantity.shown_unit for quantity in QUANTITIES.values()}
 
 
 @dataclass(frozen=True)
@@ -158,16 +158,16 @@ class Comparison:
 
     def __repr__(self) -> str:
         across, along = self.patch.cells
-        strips = [f"{each.strips} {each.element.name} strips" for each in self.strips]
-        said = [f"plane grid of {across} x {along} cells; {' and '.join(strips)}"]
-        for each in map(self.quantity, ("approach", "load", "maximum pressure")):
-            if any(map(percent, each.differences)):  # of what was given there is none
-                differences = zip(self.strips, map(percent, each.differences), strict=True)
+        strips = [f"{solution.strips} {solution.element.name} strips" for solution in self.strips]
+        sentences = [f"plane grid of {across} x {along} cells; {' and '.join(strips)}"]
+        for quantity in map(self.quantity, ("approach", "load", "maximum pressure")):
+            if any(map(percent, quantity.differences)):  # of what was given there is none
+                differences = zip(self.strips, map(percent, quantity.differences), strict=True)
                 by = ", ".join(f"{solution.element.name} {words or '0'}" for solution, words in differences)
-                said.append(f"{each.name} {replace(each.amount, values=(each.patch,))}, {by}")
+                sentences.append(f"{quantity.name} {replace(quantity.amount, values=(quantity.patch,))}, {by}")
         count = len(self.stretches)
         differing = f"over 1 % on {count} stretch{'es' * (count > 1)}" if count else "less than 1 % everywhere"
-        return plain_text("Comparison", [*said, f"along the line, pressures differ by {differing}"])
+        return plain_text("Comparison", [*sentences, f"along the line, pressures differ by {differing}"])
 
     @property
     def contact(self) -> Contact:
@@ -182,12 +182,12 @@ class Comparison:
     @property
     def warnings(self) -> tuple[str, ...]:
         """Warnings of the semi-elliptic strips and of the plane grid."""
-        return (*self.semi_elliptic.warnings, *(f"On the plane grid: {each}" for each in self.patch.warnings))
+        return (*self.semi_elliptic.warnings, *(f"On the plane grid: {warning}" for warning in self.patch.warnings))
 
     @property
     def stretches(self) -> tuple[Stretch, ...]:
         """Where along the line strips differ from the plane grid by over 1 %; those of semi-elliptic strips first."""
-        return tuple(each for solution in self.strips for each in _stretches(solution, self.along(solution)))
+        return tuple(stretch for solution in self.strips for stretch in _stretches(solution, self.along(solution)))
 
     def quantity(self, name: str) -> ComparedQuantity:
         """Return the first quantity whose name starts with ``name``.
@@ -197,9 +197,9 @@ class Comparison:
         KeyError
             If there is none.
         """
-        for each in self.quantities:
-            if isinstance(name, str) and name and each.name.startswith(name):
-                return each
+        for compared in self.quantities:
+            if isinstance(name, str) and name and compared.name.startswith(name):
+                return compared
         raise KeyError(name)
 
     def along(self, solution: Solution) -> Array:
@@ -226,11 +226,11 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
         the cell there and in both adjacent ones: on the grid a contact may end up to a cell too late.
     """
     expected = np.interp(solution.y, patch.y, patch.centre_pressure)
-    found = solution.centre_pressure
-    relative = np.full(found.size, np.nan)
-    relative[found > 0.0] = np.inf
-    compared = (expected > 0.0) & ((found > 0.0) | _well_inside(patch, solution.y))
-    relative[compared] = found[compared] / expected[compared] - 1.0
+    pressure = solution.centre_pressure
+    relative = np.full(pressure.size, np.nan)
+    relative[pressure > 0.0] = np.inf
+    compared = (expected > 0.0) & ((pressure > 0.0) | _well_inside(patch, solution.y))
+    relative[compared] = pressure[compared] / expected[compared] - 1.0
     return relative
 
 

@@ -32,12 +32,12 @@ def figures_of(
     solution: BearingSolution, maps: BearingMaps | None = None, films: Films | None = None
 ) -> dict[str, Figure]:
     """Return all figures of a loaded bearing by the names of their files; those that `bearing_figures` has."""
-    found = {"loads": roller_loads(solution)}
+    drawn = {"loads": roller_loads(solution)}
     if solution.method == "strips" and solution.load.any():
-        found |= {"pressure": pressure_maps(solution), "roller": roller_lines(solution)}
+        drawn |= {"pressure": pressure_maps(solution), "roller": roller_lines(solution)}
     if directions(solution):
-        found["displacement"] = displacement_against_load(solution, maps)
-    return found | ({} if films is None else film_figures(films))
+        drawn["displacement"] = displacement_against_load(solution, maps)
+    return drawn | ({} if films is None else film_figures(films))
 
 
 def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:

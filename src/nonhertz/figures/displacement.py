@@ -80,26 +80,28 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
 
     They are NaN where no solution was found.
     """
-    given: dict[str, Any] = {}
-    rows = [row.bearing for row in solution.bearing.rows]
-    least = NO_FORCE * float(solution.load.sum())
-    force = np.where(np.abs(solution.force[:3]) > least, solution.force[:3], 0.0)
-    if any(any(row.bears_axially) for row in rows):
-        given["axial"] = force[0]
-    if any(row.bears_radially for row in rows):
-        given["radial"] = force[1:]
+    forces = _forces(solution)
     rotation = np.where(np.abs(solution.displacement[3:]) > NO_TILT, solution.displacement[3:], 0.0)
     how: dict[str, Any] = {"maps": maps} if maps is not None else {"method": solution.method}
     how |= {"speed": _speed(solution), "tilt": tuple(rotation.tolist())}
-    states = {multiple: _one(solution, {k: multiple * v for k, v in given.items()}, how) for multiple in MULTIPLES}
+    states = {multiple: _one(solution, {k: multiple * v for k, v in forces.items()}, how) for multiple in MULTIPLES}
     if maps is None:
         states[1.0] = solution
     multiples = np.array(sorted(states))
     moved = np.full((2, multiples.size, 3), np.nan)
     for place, multiple in enumerate(multiples):
-        if (each := states[multiple]) is not None:
-            moved[:, place] = each.displacement[:3], _slope(each.stiffness, each.force) / multiple
+        if (state := states[multiple]) is not None:
+            moved[:, place] = state.displacement[:3], _slope(state.stiffness, state.force) / multiple
     return multiples, moved
+
+
+def _forces(solution: BearingSolution) -> dict[str, Any]:
+    """Return the axial and the radial force on the inner ring, as far as its rows bear them."""
+    rows = [row.bearing for row in solution.bearing.rows]
+    least = NO_FORCE * float(solution.load.sum())
+    force = np.where(np.abs(solution.force[:3]) > least, solution.force[:3], 0.0)
+    axial = {"axial": force[0]} if any(any(row.bears_axially) for row in rows) else {}
+    return axial | ({"radial": force[1:]} if any(row.bears_radially for row in rows) else {})
 
 
 def _speed(solution: BearingSolution) -> float:
@@ -110,10 +112,10 @@ def _speed(solution: BearingSolution) -> float:
     return 30.0 / math.pi * math.sqrt(float(solution.roller_load[0, 1]) / at_one) if at_one > 0.0 else 0.0
 
 
-def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
+def _one(solution: BearingSolution, forces: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
     with without_accuracy_warnings():
         try:
-            return bearing.solve(solution.bearing, **given, **how)
+            return bearing.solve(solution.bearing, **forces, **how)
         except ConvergenceError:
             return None
         except InputError:
@@ -125,7 +127,7 @@ def _one(solution: BearingSolution, given: dict[str, Any], how: dict[str, Any]) 
 def _slope(stiffness: Array, force: Array) -> Array:
     """Return how far the ring would move under its forces along its tangent [mm], with its rotation held."""
     stiffness, force = stiffness[:3, :3], force[:3]
-    held = np.diag(stiffness) > 1e-12 * float(np.max(np.diag(stiffness)))
+    supported = np.diag(stiffness) > 1e-12 * float(np.max(np.diag(stiffness)))
     slope = np.zeros(3)
-    slope[held] = np.linalg.lstsq(stiffness[np.ix_(held, held)], force[held], rcond=1e-12)[0]
+    slope[supported] = np.linalg.lstsq(stiffness[np.ix_(supported, supported)], force[supported], rcond=1e-12)[0]
     return slope

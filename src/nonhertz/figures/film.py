@@ -73,7 +73,7 @@ def _over_angle(films: Films, least: NDArray[np.float64], row: int, middle: floa
 
 
 def _along(films: Films, roller: int) -> Figure:
-    among = {each.ring: each for each in films.contacts if roller in each.rollers}
+    among = {contact.ring: contact for contact in films.contacts if roller in contact.rollers}
     half = 0.5 * next(iter(among.values())).row.bearing.roller_length
     marks: list[Mark] = []
     for ring, film in among.items():

@@ -19,20 +19,20 @@ def directions(solution: BearingSolution) -> dict[str, Array]:
     """Return the unit vectors of the radial and of the axial force on the ring, of those that act."""
     force = solution.force[:3]
     least = NO_FORCE * float(solution.load.sum())
-    found = {}
+    units = {}
     radial = math.hypot(force[1], force[2])
     if radial > least:
-        found["radial"] = np.array([0.0, force[1] / radial, force[2] / radial])
+        units["radial"] = np.array([0.0, force[1] / radial, force[2] / radial])
     if abs(force[0]) > least:
-        found["axial"] = np.array([math.copysign(1.0, force[0]), 0.0, 0.0])
-    return found
+        units["axial"] = np.array([math.copysign(1.0, force[0]), 0.0, 0.0])
+    return units
 
 
 def conditions(solution: BearingSolution) -> str:
     """Return what was solved: the bearing, and what acts on its inner ring with the method."""
     rows = [row.bearing for row in solution.bearing.rows]
-    same = len({(type(each), each.rollers) for each in rows}) == 1
-    kinds = [f"{each.kind.capitalize()}, {each.rollers} rollers" for each in (rows[:1] if same else rows)]
+    same = len({(type(bearing), bearing.rollers) for bearing in rows}) == 1
+    kinds = [f"{bearing.kind.capitalize()}, {bearing.rollers} rollers" for bearing in (rows[:1] if same else rows)]
     acting = [
         f"{name} {newton(float(solution.force[:3] @ (abs(way) if name == 'axial' else way))):.4g}"
         for name, way in directions(solution).items()

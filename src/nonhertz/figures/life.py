@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, format_input, mrad, newton
 from nonhertz.figures.contact import conditions, no_limits
-from nonhertz.figures.value import SERIES, Across, Axis, Colour, Dash, Figure, Level, Line, Mark, Panel, Words
+from nonhertz.figures.value import SERIES, Across, Axis, Colour, Dash, Figure, Level, Line, Mark, Panel, Range, Words
 from nonhertz.life import Life
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.along import axial_range, ends_in_sight
@@ -49,32 +50,43 @@ def life_densities(
         Those of another case, of which the first is drawn.
     """
     other = {body: several[:1] for body, several in (compared or {}).items()}
-    both = len(lives) == len(BODIES)
-    alone = both and _alike(lives) and (not other or _alike(other))
-    bodies = BODIES[1:] if alone else tuple(lives)
-    shown = [life for body in bodies for life in (*lives[body], *other.get(body, ()))]
-    finite = np.concatenate([life.density[np.isfinite(life.density)] for life in shown])
-    highest = max(1.0, float(finite.max(initial=0.0)))
-    peaked = highest > PEAKED
-    span = (FAINTEST, LOG_ROOM * highest) if peaked else (0.0, ROOM * highest)
-    remark = "damage per length over its mean under the ideal pressure"
-    if alone:
-        none = all(np.isnan(life.relative_life) for life in lives["b"])
-        remark += "; of both bodies" if none else f"; lives of body a are within {100.0 * ALIKE:g} %"
-    panels = []
-    for body in bodies:
-        lines = [*map(_line, lives[body]), *(_line(life, other=True) for life in other.get(body, ()))]
-        words = "; ".join(line.name for line in lines)
-        axis = Axis(f"Damage over ideal, body {body}", "damage", range=span, logarithmic=peaked)
-        marks = [Level(1.0, colour="faint"), *lines, *_around(spectrum, lives[body], span, peaked)]
-        description = f"Damage per length along body {body}: {words}."
-        height = HIGH if len(bodies) == 1 else HIGH_OF_TWO
-        panels.append(Panel(f"life-{body}", f"Damage of body {body}", axis, marks, description,
-                            remark if body == bodies[0] else "", height))  # fmt: skip
-    ends = [axial_range(solution) for solution, _ in spectrum]
-    along = Axis("Axial position y", "y", "mm", range=(min(low for low, _ in ends), max(high for _, high in ends)))
+    alone = len(lives) == len(BODIES) and _alike(lives, other)
+    drawn = {body: (lives[body], other.get(body, ())) for body in (BODIES[1:] if alone else lives)}
+    span = _range(life for several, others in drawn.values() for life in (*several, *others))
+    height = (HIGH, HIGH_OF_TWO)[len(drawn) - 1]
+    panels = [_panel(body, *several, span, spectrum, height) for body, several in drawn.items()]
+    panels[0] = replace(panels[0], remark=_remark(lives, alone))
+    lows, highs = np.transpose([axial_range(solution) for solution, _ in spectrum])
+    along = Axis("Axial position y", "y", "mm", range=(float(lows.min()), float(highs.max())))
     caption = "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
     return Figure(along, panels, _solved(spectrum), caption)
+
+
+def _range(lives: Iterable[Life]) -> Range:
+    """Return what of the damage is drawn: down to `FAINTEST`, by ratios, where it is peaked, else from zero."""
+    finite = np.concatenate([life.density[np.isfinite(life.density)] for life in lives])
+    highest = max(1.0, float(finite.max(initial=0.0)))
+    return (FAINTEST, LOG_ROOM * highest) if highest > PEAKED else (0.0, ROOM * highest)
+
+
+def _panel(
+    body: BodyName, lives: Sequence[Life], others: Sequence[Life], span: Range, spectrum: Spectrum, height: int
+) -> Panel:
+    lines = [*map(_line, lives), *(_line(life, other=True) for life in others)]
+    peaked = span[0] > 0.0
+    axis = Axis(f"Damage over ideal, body {body}", "damage", range=span, logarithmic=peaked)
+    marks = [Level(1.0, colour="faint"), *lines, *_around(spectrum, lives, span, peaked)]
+    description = f"Damage per length along body {body}: {'; '.join(line.name for line in lines)}."
+    return Panel(f"life-{body}", f"Damage of body {body}", axis, marks, description, height=height)
+
+
+def _remark(lives: Mapping[BodyName, Sequence[Life]], alone: bool) -> str:
+    """Return what the damage is, and what a panel alone says of both bodies."""
+    remark = "damage per length over its mean under the ideal pressure"
+    if not alone:
+        return remark
+    none = all(np.isnan(life.relative_life) for life in lives["b"])
+    return remark + ("; of both bodies" if none else f"; lives of body a are within {100.0 * ALIKE:g} %")
 
 
 def _line(life: Life, *, other: bool = False) -> Line:
@@ -105,10 +117,10 @@ def _around(spectrum: Spectrum, lives: Sequence[Life], span: tuple[float, float]
     yield from no_limits([solution for solution, _ in spectrum], at)
 
 
-def _alike(lives: Mapping[BodyName, Sequence[Life]]) -> bool:
-    """Return whether both bodies last equally long by all models."""
-    a, b = ([life.relative_life for life in lives.get(body, ())] for body in BODIES)
-    return bool(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True))
+def _alike(*cases: Mapping[BodyName, Sequence[Life]]) -> bool:
+    """Return whether both bodies last equally long by all models, in every case that has lives."""
+    pairs = ([[life.relative_life for life in lives.get(body, ())] for body in BODIES] for lives in cases if lives)
+    return all(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True) for a, b in pairs)
 
 
 def _solved(spectrum: Spectrum) -> str:

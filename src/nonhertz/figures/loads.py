@@ -57,10 +57,7 @@ def _panel(solution: BearingSolution, row: int) -> Panel:
     marks.append(_force(solution))
     several = f", row {row + 1}" if len(solution.bearing.rows) > 1 else ""
     words = f"{np.count_nonzero(loaded)} of {angle.size} rollers loaded, "
-    words += f"load zone {math.degrees(solution.load_zone[row]):.3g}°"
-    if load.any():
-        most = int(load.max(axis=1).argmax())
-        words += f"; largest {newton(float(load[most].max())):.4g} at {math.degrees(angle[most]):.4g}°"
+    words += f"load zone {math.degrees(solution.load_zone[row]):.3g}°{_largest(angle, load)}"
     circles = tuple((ring, "") for ring in rings.tolist())
     return Panel(
         f"loads{row + 1}",
@@ -71,6 +68,13 @@ def _panel(solution: BearingSolution, row: int) -> Panel:
         words,
         round=True,
     )
+
+
+def _largest(angle: Array, load: Array) -> str:
+    if not load.any():
+        return ""
+    most = int(load.max(axis=1).argmax())
+    return f"; largest {newton(float(load[most].max())):.4g} at {math.degrees(angle[most]):.4g}°"
 
 
 def _emptiest(angle: Array, load: Array) -> float:

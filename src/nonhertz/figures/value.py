@@ -424,12 +424,15 @@ def _plain(value: Any) -> Any:
         return [_plain(entry) for entry in value]
     if isinstance(value, float):
         return value if math.isfinite(value) else None
-    if not isinstance(value, Figure | Panel | Axis | Mark):
-        return value
+    return _attributes(value) if isinstance(value, Figure | Panel | Axis | Mark) else value
+
+
+def _attributes(value: Figure | Panel | Axis | Mark) -> dict[str, Any]:
+    values = ((attribute, getattr(value, attribute.name)) for attribute in fields(value))
     shown = {
-        each.name: _plain(getattr(value, each.name))
-        for each in fields(value)
-        if each.default is MISSING or getattr(value, each.name) != each.default
+        attribute.name: _plain(content)
+        for attribute, content in values
+        if attribute.default is MISSING or content != attribute.default
     }
     if isinstance(value, Mark):
         shown["kind"] = type(value).__name__.lower()

@@ -47,14 +47,14 @@ def drawing(draw: Callable[P, T], projection: str | None = None) -> Callable[P, 
 
     @functools.wraps(draw)
     def drawn(*args: P.args, **kwargs: P.kwargs) -> T:
-        given = signature.bind(*args, **kwargs)
-        if given.arguments.get("ax") is not None:
+        bound = signature.bind(*args, **kwargs)
+        if bound.arguments.get("ax") is not None:
             return draw(*args, **kwargs)
         from matplotlib.figure import Figure
 
         with sheet_style():
-            given.arguments["ax"] = Figure(figsize=OWN_SIZE, layout="constrained").add_subplot(projection=projection)
-            return draw(*given.args, **given.kwargs)
+            bound.arguments["ax"] = Figure(figsize=OWN_SIZE, layout="constrained").add_subplot(projection=projection)
+            return draw(*bound.args, **bound.kwargs)
 
     return drawn
 
@@ -104,10 +104,10 @@ def key_above(
     **options: Any,
 ) -> Legend:
     """Put the legend above the axes, where it cannot cover a curve: of these artists, else of those with a label."""
-    given: dict[str, Any] = {"handles": handles, "labels": labels} if handles is not None else {}
+    entries: dict[str, Any] = {"handles": handles, "labels": labels} if handles is not None else {}
     usual: dict[str, Any] = {"borderaxespad": 0.2, "borderpad": 0.2, "handlelength": 2.4, "columnspacing": 1.6}
     place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": columns}
-    return ax.legend(**given, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
+    return ax.legend(**entries, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
 
 
 def note(

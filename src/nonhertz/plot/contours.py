@@ -49,9 +49,9 @@ def label_contours(lines: ContourSet, mark: Contours, x: Array, y: Array, panel:
     near = NEAR * float(np.ptp(mark.x)) / mark.x.size
     points = [
         (along, at)
-        for each in panel.marks
-        if isinstance(each, Points)
-        for along, at in zip(each.x, each.y, strict=True)
+        for drawn in panel.marks
+        if isinstance(drawn, Points)
+        for along, at in zip(drawn.x, drawn.y, strict=True)
     ]
     taken = [at for along, at in points if abs(along - mark.x[column]) < near] + [depths[0], depths[-1]]
     places = []
@@ -76,10 +76,10 @@ def _crossing(values: Array, depths: Array, level: float, apart: float) -> float
 
 def _calm_column(mark: Contours, marks: Sequence[Mark]) -> int:
     """Return the column where labels are farthest from points and from lines across."""
-    bars = [end for each in marks if isinstance(each, Bar) for end in (each.low, each.high)]
+    bars = [end for drawn in marks if isinstance(drawn, Bar) for end in (drawn.low, drawn.high)]
     low, high = (min(bars), max(bars)) if bars else (float(mark.x[0]), float(mark.x[-1]))
-    taken = [float(x) for each in marks if isinstance(each, Points) for x in each.x]
-    taken += [each.x for each in marks if isinstance(each, Across)]
+    taken = [float(x) for drawn in marks if isinstance(drawn, Points) for x in drawn.x]
+    taken += [drawn.x for drawn in marks if isinstance(drawn, Across)]
     places = [low + share * (high - low) for share in SHARES]
 
     def clearance(place: float) -> float:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nonhertz.figures.value import Arrow, Bars, Figure, Panel, Points, Words
+from nonhertz.figures.value import Arrow, Bars, Figure, Mark, Panel, Points, Words
 from nonhertz.plot.axes import Artist
 from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.sheets import WIDTH, sheet
@@ -34,11 +34,11 @@ def round_sheet(figure: Figure, title: str, conditions: Sequence[str]) -> Sheet:
     block, lines = HEAD + size + 2.0 * AROUND, math.ceil(count / across)
     bottom = lines * block + KEY
     drawn, entries = sheet(bottom, title, conditions), dict[str, Artist]()
-    for number, each in enumerate(figure.panels):
+    for number, panel in enumerate(figure.panels):
         line, column = divmod(number, across)
-        left = WIDTH * (column + 0.5) / across - 0.5 * size
-        ax: Any = axes_at(drawn, left, bottom - line * block - HEAD - AROUND - size, size, size, "polar")
-        draw_round(each, figure, ax)
+        edge = WIDTH * (column + 0.5) / across - 0.5 * size
+        ax: Any = axes_at(drawn, edge, bottom - line * block - HEAD - AROUND - size, size, size, "polar")
+        draw_round(panel, figure, ax)
         entries |= dict(zip(*reversed(ax.get_legend_handles_labels()), strict=True))
     below: dict[str, Any] = {"loc": "lower center", "ncols": len(entries), "frameon": False, "fontsize": SMALL_SIZE}
     drawn.legend([*entries.values()], [*entries], **below)
@@ -65,21 +65,26 @@ def draw_round(panel: Panel, figure: Figure, ax: PolarAxes) -> PolarAxes:
     around = math.pi * min(ax.bbox.width, ax.bbox.height) / ax.figure.dpi * 72.0 * HOLE / (1.0 + HOLE)
     size = min(LARGEST_MARK, MARK_SHARE * around / sum(mark.x.size for mark in panel.marks if isinstance(mark, Points)))
     for mark in panel.marks:
-        if isinstance(mark, Bars):
-            _draw_bars(mark, factor, ax)
-        elif isinstance(mark, Points):
-            look: dict[str, Any] = {"color": INK, "markersize": size, "markeredgewidth": THIN, "clip_on": False}
-            look |= {"markerfacecolor": INK if mark.symbol == "dot" else "white", "label": mark.name or None}
-            ax.plot(mark.x, mark.y, "o", zorder=4.0, **look)
-        elif isinstance(mark, Words):
-            # Not as labels of the ticks, which bars would cover.
-            ax.text(mark.x, factor * mark.y, mark.words, bbox=BACKING, zorder=5.0, **WORDS)
-        elif isinstance(mark, Arrow):
-            _draw_arrow(mark, top, ax)
+        _draw_mark(mark, factor, top, size, ax)
     row = panel.heading.partition(", row ")[2]
     words = panel.remark.replace("; ", "\n")
     ax.set_title(f"Row {row}: {words}" if row else words, fontsize=SMALL_SIZE, pad=12.0)
     return ax
+
+
+def _draw_mark(mark: Mark, factor: float, top: float, size: float, ax: PolarAxes) -> None:
+    match mark:
+        case Bars():
+            _draw_bars(mark, factor, ax)
+        case Points():
+            look: dict[str, Any] = {"color": INK, "markersize": size, "markeredgewidth": THIN, "clip_on": False}
+            look |= {"markerfacecolor": INK if mark.symbol == "dot" else "white", "label": mark.name or None}
+            ax.plot(mark.x, mark.y, "o", zorder=4.0, **look)
+        case Words():
+            # Not as labels of the ticks, which bars would cover.
+            ax.text(mark.x, factor * mark.y, mark.words, bbox=BACKING, zorder=5.0, **WORDS)
+        case Arrow():
+            _draw_arrow(mark, top, ax)
 
 
 def _draw_bars(mark: Bars, factor: float, ax: PolarAxes) -> None:
