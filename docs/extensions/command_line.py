@@ -1,5 +1,5 @@
 """All commands with their options, for the page that lists them."""
 
-from nonhertz.cli.commands import application
+from nonhertz.cli.commands import build_application
 
-app = application()
+app = build_application()

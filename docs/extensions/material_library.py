@@ -10,7 +10,7 @@ from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
 from nonhertz.amounts import format_input
-from nonhertz.model.materials import LIBRARY, Listed
+from nonhertz.model.materials import LIBRARY, Entry
 
 if TYPE_CHECKING:
     from docutils import nodes
@@ -43,7 +43,7 @@ class MaterialLibrary(SphinxDirective):
         return self.parse_text_to_nodes(source, allow_section_headings=True)
 
 
-def _row(each: Listed) -> tuple[str, ...]:
+def _row(each: Entry) -> tuple[str, ...]:
     material = each.material
     numbers = (material.modulus, material.poisson, material.yield_strength, material.core_yield_strength)
     return (

@@ -3,8 +3,8 @@
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.casefile import Case, placed
-from nonhertz.files.documents import parsed
+from nonhertz.files.casefile import Case, with_file_path
+from nonhertz.files.toml import parse
 
 A = "[body.a]\ndiameter = 20.0\nlength = 20.0\n"
 B = "[body.b]\n"
@@ -140,7 +140,7 @@ def folder(tmp_path, monkeypatch):
 def test_each_mistake_is_one_sentence_with_a_way_out(folder, case):
     text, *beginnings = case
     with pytest.raises(nh.CaseError) as caught:
-        Case.of(parsed(text, "case.toml"), folder / "case.toml")
+        Case.of(parse(text, "case.toml"), folder / "case.toml")
     for said, beginning in zip(caught.value.mistakes, beginnings, strict=True):
         assert said.startswith(beginning)
         assert said.endswith((".", "?"))
@@ -242,7 +242,7 @@ def test_what_only_the_solver_sees_is_a_sentence_too(folder, run):
 def test_a_complaint_of_the_solver_about_both_bodies_names_keys_of_the_file():
     with pytest.raises(nh.InputError) as caught:
         nh.Contact(nh.Roller(diameter=20.0, length=20.0), nh.Ring(diameter=-10.0)).curvature(0.0)
-    complaint = placed(caught.value)
+    complaint = with_file_path(caught.value)
     assert complaint.places == ("body.b.diameter",)
     assert str(complaint).startswith("body.b.diameter = -10.0 must leave a positive combined curvature with body.a")
 
@@ -258,7 +258,7 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
         nh.Roller(**given)
     written = "".join(f"{key} = {value!r}\n" for key, value in given.items())
     with pytest.raises(nh.CaseError) as refused:
-        Case.of(parsed(f"[body.a]\nkind = 'roller'\n{written}{REST}", "case.toml"), folder / "case.toml")
+        Case.of(parse(f"[body.a]\nkind = 'roller'\n{written}{REST}", "case.toml"), folder / "case.toml")
     assert refused.value.mistakes == (str(caught.value.within("body.a")),)
 
 

@@ -18,10 +18,10 @@ from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.cli import main
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import read_bearing
-from nonhertz.files.changes import changes_in
-from nonhertz.files.documents import as_toml
+from nonhertz.files.changes import parse_changes
 from nonhertz.files.results import units_of
 from nonhertz.files.schemas import schema_of
+from nonhertz.files.toml import to_toml
 from nonhertz.result.quantities import Quantity
 
 FEW = changed(SIX, ('clearance = "12 um"\n', ""))
@@ -173,7 +173,7 @@ def test_json_is_one_strict_object_with_all_numbers(folder, run, few):
         assert np.shape(result[name])[-len(shape) :] == shape, name
     assert units.keys() <= result.keys()
     assert units["life"].keys() <= result["life"].keys()
-    Path("again.toml").write_text(as_toml(result["case"]), encoding="utf-8")
+    Path("again.toml").write_text(to_toml(result["case"]), encoding="utf-8")
     assert read_bearing("again.toml").bearing == case.bearing
 
 
@@ -264,7 +264,7 @@ def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
     out = run("check", "few.toml", "--set", change).out
     largest = float(re.search(r"\ndoubtful: no metal bears the largest pressure, ([\d.]+) MPa", out)[1])
     with without_accuracy_warnings():
-        solved = read_bearing("few.toml", changes_in([change])).solve("strips").max_pressure.max()
+        solved = read_bearing("few.toml", parse_changes([change])).solve("strips").max_pressure.max()
     assert 0.3 < largest / solved < 3.0  # slices of the standard do not feel each other
 
 

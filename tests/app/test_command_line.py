@@ -24,7 +24,7 @@ import nonhertz.plot
 import nonhertz.show.analysis
 import nonhertz.solver.one
 from nonhertz.cli import main
-from nonhertz.cli.commands import COMMANDS, EXAMPLES, application, each_with_option
+from nonhertz.cli.commands import COMMANDS, EXAMPLES, build_application, repeat_set_option
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BEARING_TEMPLATES
@@ -240,11 +240,11 @@ def test_every_command_has_an_example_that_is_understood():
     assert set(EXAMPLES) == set(COMMANDS)
     for name, example in EXAMPLES.items():
         for words in example.split(", nonhertz "):
-            command, *_ = application().parse_args(
-                each_with_option(shlex.split(words)), exit_on_error=False, print_error=False
+            command, *_ = build_application().parse_args(
+                repeat_set_option(shlex.split(words)), exit_on_error=False, print_error=False
             )
             assert words.startswith(name)
-            assert command.__wrapped__ is application()[name].default_command.__wrapped__
+            assert command.__wrapped__ is build_application()[name].default_command.__wrapped__
 
 
 @pytest.mark.parametrize("words", [[], ["--help"], ["help"], ["solve", "--help"], ["help", "new"]])

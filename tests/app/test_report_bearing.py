@@ -13,7 +13,7 @@ import nonhertz as nh
 import nonhertz.report.layout
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase, read_bearing
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.report import MARK, BearingResults, compose, examined, rendered, settled
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results
@@ -43,7 +43,7 @@ TAPERED = changed(PAIR, ('"pair"', '"Pair"'), ("pair = ", f"{RIB}\npair = "))
 
 
 def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
-    return BearingCase.of(parsed(text, name), Path(name), text, files=False)
+    return BearingCase.of(parse(text, name), Path(name), text, files=False)
 
 
 def numbers_of(found: BearingResults) -> dict[str, tuple[str, str]]:

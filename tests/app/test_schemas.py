@@ -15,8 +15,8 @@ from nonhertz.cli import main
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.documents import meant_as
 from nonhertz.files.schemas import KINDS, schema_of
+from nonhertz.files.toml import file_kind
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FILES = sorted(EXAMPLES.glob("*.toml"))
@@ -49,7 +49,7 @@ def test_a_schema_is_one(kind, run, tmp_path):
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
 def test_examples_are_valid(file):
     found = tomllib.loads(file.read_text(encoding="utf-8"))
-    assert mistakes(meant_as(found), found) == [[], []]
+    assert mistakes(file_kind(found), found) == [[], []]
 
 
 def test_so_are_changes_of_a_profile():
@@ -62,7 +62,7 @@ def test_so_are_changes_of_a_profile():
 def test_so_are_the_files_to_start_from():
     assert mistakes("case", tomllib.loads(starting_case())) == [[], []]
     assert mistakes("bearing", tomllib.loads(starting_bearing())) == [[], []]
-    assert {meant_as(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
+    assert {file_kind(tomllib.loads(file.read_text(encoding="utf-8"))) for file in FILES} == {"case", "bearing", "plan"}
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_so_are_the_files_to_start_from():
 )
 def test_mistakes_are_found(name, place, value):
     whole = document(name)
-    kind = meant_as(whole)
+    kind = file_kind(whole)
     *tables, last = place
     table = whole
     for key in tables:

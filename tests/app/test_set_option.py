@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.changes import changes_in
+from nonhertz.files.changes import parse_changes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = str(EXAMPLES / "crowned-roller.toml")
@@ -69,13 +69,13 @@ def test_a_parameter_takes_the_place_of_the_drop_that_determines_it():
 
 def test_values_may_be_numbers_words_lists_and_tables():
     words = ["solver.strips=41", 'body.a.side_faces=["calibrated", 1.2]', "solver.element=parabolic", "load.tilt=0"]
-    assert changes_in(words) == {
+    assert parse_changes(words) == {
         "solver.strips": 41,
         "body.a.side_faces": ["calibrated", 1.2],
         "solver.element": "parabolic",
         "load.tilt": 0,
     }
-    case = nh.read_case(CASE, changes_in([*words, 'body.a.profile=[{kind="crown", radius="1 m"}]']))
+    case = nh.read_case(CASE, parse_changes([*words, 'body.a.profile=[{kind="crown", radius="1 m"}]']))
     assert (case.solver.strips, case.solver.element, case.prescribed.tilt) == (41, "parabolic", 0.0)
     assert case.document["body"]["a"]["profile"] == [{"kind": "crown", "radius": "1 m"}]
 

@@ -14,7 +14,7 @@ import jsonschema
 import pytest
 from crowned_roller import CASE
 
-from nonhertz.cli.sweep import of_rows
+from nonhertz.cli.sweep import report_rows
 from nonhertz.files.schemas import schema_of
 from nonhertz.study.sweeps import Progress, _seconds_per_row
 
@@ -51,7 +51,7 @@ def test_a_plan_is_checked_and_swept(folder, run):
 
 
 def test_how_long_the_rows_take_is_said_first_and_where_they_continue(capsys):
-    announce = of_rows(None)
+    announce = report_rows(None)
     announce(Progress(done=0, total=10_000, found=0, seconds=236.0))
     announce(Progress(done=5495, total=10_000, found=5495, seconds=9.0))
     announce(Progress(done=0, total=12, found=0, seconds=None))

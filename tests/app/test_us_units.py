@@ -20,7 +20,7 @@ from nonhertz.amounts import display_units
 from nonhertz.cli import main, printing
 from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.report import compose
 from nonhertz.show import bearing as of_bearing
 from nonhertz.show import stresses
@@ -192,7 +192,7 @@ def test_columns_are_converted_with_their_heads():
     largest, text = largest_stresses(contact), CASE.read_text(encoding="utf-8")
     for load in (9e3, 5e3):
         text += f"[[life.spectrum]]\nload = {load}\ntilt = 1e-4\nshare = 0.5\n"
-    spectrum = Case.of(parsed(text, "case.toml"), CASE)
+    spectrum = Case.of(parse(text, "case.toml"), CASE)
     lives = assessed(spectrum, spectrum_solved(spectrum), models_for(spectrum, ("iso-16281",))[0])
     seen = 0
     for made in (

@@ -18,7 +18,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files.bearingfile import read_bearing, starting_bearing
 from nonhertz.files.bounds import MISTAKES
 from nonhertz.files.casefile import Case, read_case, starting_case
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 
 SEED = 20261
 MANY = 0.01
@@ -205,7 +205,7 @@ def case_complaints(file: Path | bytes) -> tuple[str, ...]:
         if isinstance(file, Path):
             read_case(file)
         else:
-            Case.of(parsed(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
+            Case.of(parse(file.decode("utf-8-sig", "replace"), "case.toml"), Path("case.toml"))
     return tuple(said)
 
 

@@ -153,7 +153,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "study.Gradient.by": {"name": "a.diameter"},
     "Plan": {"case": UPRIGHT, "samples": nh.study.Sampling()},
     "Plan.changed": {"samples": None},
-    "Plan.tried": {"path": "load.load", "values": [1e3]},
+    "Plan.read_spread": {"path": "load.load", "values": [1e3]},
     "Plate": {"diameter": None, "depth": 1.0},
     "Solution.gradient": {"quantity": "load"},
     "Solution.plot": {"what": "profile"},

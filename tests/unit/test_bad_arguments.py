@@ -172,7 +172,7 @@ BY_THEMSELVES = {"life.model", "measured.fit", "profile.with_drop"}
 WRITING = {"load", "read", "write", "save"}
 #: Asked by the package, of positions that it has checked, of documents and bearings that it has read or solved.
 ASKED = {
-    "apply", "between", "called", "contents_of", "curvature_at", "document_in", "drawn", "drop_at", "exactly",
+    "apply", "between", "called", "contents_of", "curvature_at", "document_in", "draw", "drop_at", "exactly",
     "likely", "moved", "of", "partials", "rated", "relief_at", "scaled", "separation_at", "unchecked",
 }  # fmt: skip
 #: Made by the package and not by its users, who only read them.
@@ -195,7 +195,7 @@ RESULTS = {
     "subsurface.Extreme", "subsurface.Extremes", "subsurface.Field", "subsurface.Passage",
     "AccuracyWarning", "CaseError", "ConvergenceError", "InputError", "Interrupted", "NonhertzError",
     *(f"profile.{name}" for name in (
-        "Arcs", "Conical", "Logarithmic", "Moved", "Profile", "Straight", "Sum", "Tabulated",
+        "Arcs", "Conical", "Logarithmic", "Profile", "Straight", "Sum", "Tabulated", "Transformed",
         "ProfileKind", "TaperedEnds", "UniformPressure",
     )),
 }  # fmt: skip

@@ -11,7 +11,7 @@ from few_rollers import changed
 import nonhertz as nh
 from nonhertz.files.bearing_results import as_object
 from nonhertz.files.bearingfile import BearingCase, read_bearing
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.show.bearing import sections
 from nonhertz.web.view.bearings import bearing_answer
 
@@ -47,7 +47,7 @@ SPREAD = math.hypot(12.5, 0.8 * math.hypot(4.5, 5.0))  # um: C3; k5 and the bore
 
 
 def read(text, *changes):
-    return BearingCase.of(parsed(changed(text, *changes), "nu206.toml"), Path("nu206.toml"))
+    return BearingCase.of(parse(changed(text, *changes), "nu206.toml"), Path("nu206.toml"))
 
 
 def in_um(found):

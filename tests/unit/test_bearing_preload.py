@@ -11,7 +11,7 @@ from few_rollers import changed
 import nonhertz as nh
 from nonhertz.files.bearing_results import as_object
 from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.show.bearing import summary_rows
 
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-9, 9), (14.0, 12.4)), length=18)
@@ -30,7 +30,7 @@ CLEARANCE = 'clearance = "-10 um" }'
 
 
 def read(*changes):
-    return BearingCase.of(parsed(changed(TEXT, *changes), "pair.toml"), Path("pair.toml"))
+    return BearingCase.of(parse(changed(TEXT, *changes), "pair.toml"), Path("pair.toml"))
 
 
 def pressed(bearing, method="slices"):

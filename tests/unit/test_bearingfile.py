@@ -15,8 +15,8 @@ import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
 from nonhertz.files.casefile import read_case
-from nonhertz.files.documents import parsed
 from nonhertz.files.schemas import schema_of
+from nonhertz.files.toml import parse
 
 KINDS = nh.bearing.RollerBearing.kinds
 ROLLER = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
@@ -65,7 +65,7 @@ axial = "9 kN"
 
 
 def read(text: str) -> BearingCase:
-    return BearingCase.of(parsed(text, "bearing.toml"), Path("bearing.toml"))
+    return BearingCase.of(parse(text, "bearing.toml"), Path("bearing.toml"))
 
 
 def mistakes(text: str) -> list[str]:
@@ -456,7 +456,7 @@ def test_a_file_of_a_shape_is_read_beside_the_bearing_file(tmp_path):
     assert case.bearing.inner_shape([0.0, 0.25 * math.pi]).tolist() == pytest.approx([0.004, 0.0])
     assert set(case.attachments) == {"oval.txt"}
     with pytest.raises(nh.CaseError) as caught:
-        BearingCase.of(parsed(text, "bearing.toml"), path, files=False)
+        BearingCase.of(parse(text, "bearing.toml"), path, files=False)
     assert caught.value.mistakes == (
         "bearing.inner_shape.file = 'oval.txt' must not be read here: write the angles and deviations into the file.",
     )

@@ -14,7 +14,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files import reading
 from nonhertz.files.bounds import KEYS, LARGEST_CASE, LOADS, MISTAKES, NESTING, PROFILES, has_long_key
 from nonhertz.files.casefile import read_case
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.model.profile import table
 from nonhertz.model.profile.table import LARGEST_FILE, from_file
 
@@ -164,7 +164,7 @@ def test_a_case_has_so_many_keys(tmp_path, monkeypatch, text):
 
 def test_a_body_has_so_many_profiles(tmp_path):
     table = "{ kind = 'crown', radius = 4000.0 },"
-    read = parsed(BODIES.format(keys=f"profile = [{table * PROFILES}]") + LOAD, "case.toml")
+    read = parse(BODIES.format(keys=f"profile = [{table * PROFILES}]") + LOAD, "case.toml")
     assert len(read["body"]["a"]["profile"]) == PROFILES
     (told,) = mistakes_in(tmp_path, BODIES.format(keys=f"profile = [{table * (PROFILES + 1)}]") + LOAD)
     assert told.startswith("body.a.profile = [{")

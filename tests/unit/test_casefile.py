@@ -293,15 +293,15 @@ def test_a_life_table_holds_models_and_a_spectrum():
     assert life.contact_angle == pytest.approx(np.radians(12.0))
     assert (life.rollers, life.models) == (14, ("zaretsky", "iso-16281"))
     assert life.spectrum == (LoadCase(load=10e3, share=0.25, tilt=-1e-3), LoadCase(load=5e3, share=0.75))
-    volume, laminae = life.made_models()
+    volume, laminae = life.build_models()
     assert volume == zaretsky(slope=1.5)
     assert laminae == iso_16281(laminae=40, edge_stress="none", line_loads="standard")
-    assert life.made_models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
+    assert life.build_models(["ioannides-harris"]) == (ioannides_harris(slope=1.5, fatigue_limit=300.0),)
 
 
 def test_without_a_life_table_all_models_are_wanted_as_they_are():
     document = {name: table for name, table in WHOLE.items() if name != "life"}
-    assert Case.of(document, Path()).life.made_models() == tuple(make() for make in MODELS.values())
+    assert Case.of(document, Path()).life.build_models() == tuple(make() for make in MODELS.values())
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ import pytest
 
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.casefile import TEMPLATES, starting_case
-from nonhertz.files.commented import as_toml_like
-from nonhertz.files.documents import as_toml
+from nonhertz.files.commented import update_toml
+from nonhertz.files.toml import to_toml
 
 TEXTS = [starting_case(name) for name in (None, *TEMPLATES)]
 TEXTS += [starting_bearing(name) for name in (None, *BEARING_TEMPLATES)]
@@ -20,14 +20,14 @@ def comments(text):
 
 @pytest.mark.parametrize("text", TEXTS)
 def test_a_document_that_is_the_same_leaves_the_text_as_it_was(text):
-    assert as_toml_like(tomllib.loads(text), text) == text
+    assert update_toml(tomllib.loads(text), text) == text
 
 
 @pytest.mark.parametrize("text", TEXTS)
 def test_a_changed_value_changes_one_line(text):
     document = tomllib.loads(text)
     document["title"] = "another"
-    (changed,) = set(as_toml_like(document, text).splitlines()) - set(text.splitlines())
+    (changed,) = set(update_toml(document, text).splitlines()) - set(text.splitlines())
     assert changed.startswith('title = "another"')
 
 
@@ -51,7 +51,7 @@ def test_any_change_is_in_the_text_and_comments_stay(change):
     text = starting_case()
     document = copy.deepcopy(tomllib.loads(text))
     CHANGES[change](document)
-    found = as_toml_like(document, text)
+    found = update_toml(document, text)
     assert tomllib.loads(found) == document
     # What is taken out takes its own comments along.
     own = {"a key less": "side_faces =", "a table less": "[solver]"}.get(change)
@@ -64,7 +64,7 @@ def test_many_changes_in_turn_are_in_the_text():
     document = copy.deepcopy(tomllib.loads(text))
     for change in CHANGES.values():
         change(document) if change is not CHANGES["true for one"] else document.update(title="x")
-        text = as_toml_like(document, text)
+        text = update_toml(document, text)
         assert tomllib.loads(text) == document
     assert "# " in text
 
@@ -74,6 +74,6 @@ def test_many_changes_in_turn_are_in_the_text():
 )
 def test_a_text_that_does_not_fit_is_left(text):
     document = tomllib.loads(starting_case())
-    assert tomllib.loads(as_toml_like(document, text)) == document
+    assert tomllib.loads(update_toml(document, text)) == document
     if "# of" not in text:
-        assert as_toml_like(document, text) == as_toml(document)
+        assert update_toml(document, text) == to_toml(document)

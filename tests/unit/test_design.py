@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.free_forms import FreeForm, free_form_in
+from nonhertz.files.free_forms import FreeForm, parse_free_form
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.study.design import begins_of, best, checked, front
 from nonhertz.study.limits import limits_in
@@ -223,13 +223,13 @@ def test_a_free_profile_stays_within_the_slope_and_the_curvature_that_it_may_hav
 
 
 def test_a_free_profile_grows_from_the_middle():
-    form = free_form_in("body.a.profile", "free(60 um, 4)")
+    form = parse_free_form("body.a.profile", "free(60 um, 4)")
     assert form == FreeForm(0.06, 4)
     np.testing.assert_allclose(form.relief([0.1, 0.2, 0.3, 0.4]), 0.06 * np.cumsum([0.0, 0.01, 0.04, 0.09, 0.16]))
     assert form.places(10.0)[-1] == pytest.approx(10.0)
-    assert free_form_in("x", "1 um : 2 um") is None
-    assert free_form_in("x", "free(60 um, slope 5 mrad)") == FreeForm(0.06, 8, 0.005)
-    assert free_form_in("x", "free(60 um, 4, radius 0.2 m, slope 5 mrad)") == FreeForm(0.06, 4, 0.005, 200.0)
+    assert parse_free_form("x", "1 um : 2 um") is None
+    assert parse_free_form("x", "free(60 um, slope 5 mrad)") == FreeForm(0.06, 8, 0.005)
+    assert parse_free_form("x", "free(60 um, 4, radius 0.2 m, slope 5 mrad)") == FreeForm(0.06, 4, 0.005, 200.0)
     for text in (
         *(
             "free(0)",
@@ -241,7 +241,7 @@ def test_a_free_profile_grows_from_the_middle():
         *("free(60 um, slope 1 mm)", "free(60 um, 8, 3)", "free(60 um, 8, steep 1 mrad)", "free()"),
     ):
         with pytest.raises(nh.InputError):
-            free_form_in("x", text)
+            parse_free_form("x", text)
 
 
 BY_ITS_DROP = nh.Case.of(

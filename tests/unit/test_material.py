@@ -4,7 +4,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.writing import document_of
-from nonhertz.model.materials import LIBRARY, expansion_of, listed_as
+from nonhertz.model.materials import LIBRARY, expansion_of, find_entry
 
 
 def test_compliance_and_shear_modulus_of_steel():
@@ -71,7 +71,7 @@ def test_every_material_of_the_library_has_a_source_and_numbers_of_its_own():
 
 def test_other_names_stand_for_the_same():
     assert nh.MATERIALS["52100"] is nh.MATERIALS["100Cr6"]
-    assert listed_as("440C").name == "X105CrMo17"
+    assert find_entry("440C").name == "X105CrMo17"
 
 
 @pytest.mark.parametrize(

@@ -10,10 +10,10 @@ from numpy.testing import assert_allclose
 
 from nonhertz.errors import AccuracyWarning, CaseError, InputError
 from nonhertz.files.casefile import read_case
-from nonhertz.files.measured import MeasuredProfile, checked
-from nonhertz.files.mistakes import sentence
+from nonhertz.files.measured import MeasuredProfile, validate_key
+from nonhertz.files.mistakes import describe_mistake
 from nonhertz.files.profiles import read_profile
-from nonhertz.files.reading import Surroundings
+from nonhertz.files.reading import ReadContext
 from nonhertz.files.traces import read_trace
 from nonhertz.measured import prepare
 
@@ -106,13 +106,13 @@ def test_all_mistakes_of_a_table_are_told_at_once(folder):
 
 def test_a_table_without_a_file_says_so():
     with pytest.raises(InputError) as caught:
-        read_profile({"kind": "measured"}, {}, Surroundings(Path()))
-    assert [sentence(mistake) for mistake in caught.value.each] == ["file must be given: name it in quotes."]
+        read_profile({"kind": "measured"}, {}, ReadContext(Path()))
+    assert [describe_mistake(mistake) for mistake in caught.value.each] == ["file must be given: name it in quotes."]
 
 
 def test_no_file_is_read_where_none_may_be():
     with pytest.raises(InputError) as caught:
-        read_profile({"kind": "measured", "file": "roller.txt"}, {}, Surroundings())
+        read_profile({"kind": "measured", "file": "roller.txt"}, {}, ReadContext())
     (mistake,) = caught.value.each
     assert "file = 'roller.txt' must not be read here: give y and relief, or upload" in str(mistake)
 
@@ -129,4 +129,4 @@ def test_the_reference_lists_every_key():
     ids=range(5),
 )
 def test_values_are_taken_as_meant(name, value, meant):
-    assert checked(name, value) == meant
+    assert validate_key(name, value) == meant

@@ -4,7 +4,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.bearing_document import BearingFile
-from nonhertz.files.paths import drops_first, parameter, parameters
+from nonhertz.files.paths import drop_before_parameters, find_parameter, list_parameters
 from nonhertz.files.sections import CaseDocument
 
 CASE = {
@@ -22,7 +22,7 @@ CASE = {
 
 @pytest.fixture
 def known():
-    return parameters(CASE, CaseDocument)
+    return list_parameters(CASE, CaseDocument)
 
 
 @pytest.mark.parametrize(
@@ -42,14 +42,14 @@ def known():
     ],
 )
 def test_a_path_has_the_unit_of_its_key(known, path, unit, whole):
-    found = parameter(path, known)
+    found = find_parameter(path, known)
     assert (found.unit, found.whole) == (unit, whole)
 
 
 def test_a_key_that_both_profiles_can_have_needs_a_position(known):
     assert "body.a.profile.drop" not in known
     with pytest.raises(nh.InputError, match=r"Did you mean body\.a\.profile\[[12]\]\.drop\?"):
-        parameter("body.a.profile.drop", known)
+        find_parameter("body.a.profile.drop", known)
 
 
 @pytest.mark.parametrize(
@@ -58,7 +58,7 @@ def test_a_key_that_both_profiles_can_have_needs_a_position(known):
 )
 def test_of_an_unknown_path_the_nearest_is_named(known, path, nearest):
     with pytest.raises(nh.InputError, match=rf"Did you mean {nearest}\?"):
-        parameter(path, known)
+        find_parameter(path, known)
 
 
 def test_a_document_with_another_value_leaves_the_first_as_it_was(known):
@@ -80,9 +80,12 @@ def test_a_document_with_another_value_leaves_the_first_as_it_was(known):
 )
 def test_a_drop_takes_the_place_of_what_it_determines(table, left):
     case = {"body": {"a": {"profile": [table]}}}
-    drop = parameters(case, CaseDocument)["body.a.profile.drop"]
+    drop = list_parameters(case, CaseDocument)["body.a.profile.drop"]
     assert drop.put(case, 0.01)["body"]["a"]["profile"] == [left | {"drop": 0.01}]
-    assert drops_first({"body.a.profile.radius": 1.0, "body.a.profile.drop": 2.0})[0] == ("body.a.profile.drop", 2.0)
+    assert drop_before_parameters({"body.a.profile.radius": 1.0, "body.a.profile.drop": 2.0})[0] == (
+        "body.a.profile.drop",
+        2.0,
+    )
 
 
 @pytest.mark.parametrize(
@@ -98,7 +101,7 @@ def test_a_drop_takes_the_place_of_what_it_determines(table, left):
 )
 def test_what_a_drop_determines_is_not_varied_beside_it(table, name, drop):
     case = {"body": {"a": {"profile": [table]}}}
-    assert parameters(case, CaseDocument)[f"body.a.profile.{name}"].drop_beside(case) == drop
+    assert list_parameters(case, CaseDocument)[f"body.a.profile.{name}"].drop_beside(case) == drop
 
 
 def test_tables_that_are_missing_are_made(known):
@@ -113,7 +116,7 @@ def test_a_material_by_its_name_has_no_modulus_to_vary(known):
 
 def test_bearing_files_have_paths_too():
     document = {"bearing": {"kind": "cylindrical"}, "roller": {"profile": {"kind": "crown", "radius": 1e3}}}
-    known = parameters(document, BearingFile)
+    known = list_parameters(document, BearingFile)
     assert known["roller.profile.drop"].unit == "mm"
     assert known["fit.shaft.interference"].unit == "mm"
     assert known["bearing.rollers"].whole

@@ -7,9 +7,9 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.files.casefile import starting_case
-from nonhertz.files.documents import holds_plan
 from nonhertz.files.planfile import Plan, read_any, read_design, read_plan, starting_plan
 from nonhertz.files.spreads import Distribution
+from nonhertz.files.toml import is_plan
 
 
 @pytest.fixture
@@ -159,9 +159,9 @@ def test_mistakes_of_the_case_are_named_with_its_file(folder):
 
 
 def test_plans_and_cases_are_told_apart():
-    assert holds_plan({"case": "x"})
-    assert holds_plan({"over": {}})
-    assert not holds_plan({"body": {}})
+    assert is_plan({"case": "x"})
+    assert is_plan({"over": {}})
+    assert not is_plan({"body": {}})
 
 
 def test_values_that_exclude_each_other_are_refused_before_the_work_starts(folder):

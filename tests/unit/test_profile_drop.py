@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from nonhertz.errors import InputError
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, crown, with_drop
-from nonhertz.model.profile.drop import determined
+from nonhertz.model.profile.drop import parameter_from_drop
 
 LENGTH = 20.0
 AT = 9.5
@@ -53,7 +53,7 @@ def test_every_kind_and_every_parameter_is_tried():
 @pytest.mark.parametrize("drop", [0.004, 0.006])
 def test_the_relief_at_the_place_is_the_stated_one(kind, name, drop):
     parameters = GIVEN[kind, name]
-    assert determined(kind, parameters) == name
+    assert parameter_from_drop(kind, parameters) == name
     made = with_drop(kind, drop, AT, **parameters)
     assert drop_of(made, AT) == pytest.approx(drop, rel=1e-12, abs=1e-12 * 0.02)
     if name == "scale":

@@ -14,7 +14,7 @@ from report_page import Page
 import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.report import CaseResults, examined, settled, steps
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import differing_inputs, results
@@ -56,7 +56,7 @@ PLAIN = (
 
 
 def case_of(text: str, name: str = "case.toml") -> Case:
-    return Case.of(parsed(text, name), Path(name), text, files=False)
+    return Case.of(parse(text, name), Path(name), text, files=False)
 
 
 def found_in(text: str, name: str = "case.toml") -> CaseResults:
@@ -323,7 +323,7 @@ def test_what_the_solver_refuses_is_named_by_its_file():
 
 
 def test_files_that_are_too_large_are_left_out(tmp_path, monkeypatch):
-    monkeypatch.setattr("nonhertz.files.held.MOST_ATTACHED", 10)
+    monkeypatch.setattr("nonhertz.files.document.MOST_ATTACHED", 10)
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (tmp_path / "roller.toml").write_text(CASE, encoding="utf-8")

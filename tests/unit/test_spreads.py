@@ -7,7 +7,7 @@ from scipy import stats
 import nonhertz as nh
 from nonhertz.files.paths import Parameter
 from nonhertz.files.sampling import METHODS, Sampling
-from nonhertz.files.spreads import Distribution, bounds_in, spread_in
+from nonhertz.files.spreads import Distribution, parse_bounds, parse_spread
 
 LOAD = Parameter("load.load", ("load", "load"), "N")
 STRIPS = Parameter("solver.strips", ("solver", "strips"), "", whole=True)
@@ -30,7 +30,7 @@ DOCUMENT = {"body": {"a": {"diameter": "20 mm"}}}
     ],
 )
 def test_values_are_in_the_base_unit(parameter, given, values):
-    found = spread_in(parameter, given, {})
+    found = parse_spread(parameter, given, {})
     assert found == values
     assert [type(each) for each in found] == [type(each) for each in values]
 
@@ -73,12 +73,12 @@ def test_the_ends_of_a_distribution_are_its_limits_where_it_has_any():
 )
 def test_what_is_no_spread_is_refused_in_one_sentence(parameter, given, what):
     with pytest.raises(nh.InputError, match=what) as caught:
-        spread_in(parameter, given, {})
+        parse_spread(parameter, given, {})
     assert str(caught.value).count("must") == 1 or "that must" in str(caught.value)
 
 
 def test_nominal_is_what_the_case_has():
-    found = spread_in(DIAMETER, "normal(nominal, 5 um) within 19.99 mm : 20.01 mm", DOCUMENT)
+    found = parse_spread(DIAMETER, "normal(nominal, 5 um) within 19.99 mm : 20.01 mm", DOCUMENT)
     assert found == Distribution("normal", (20.0, 0.005), (19.99, 20.01))
 
 
@@ -96,20 +96,20 @@ def test_nominal_is_what_the_case_has():
     ],
 )
 def test_limits_of_a_drawing_are_a_distribution(given, kind, numbers):
-    found = spread_in(DIAMETER, given, DOCUMENT)
+    found = parse_spread(DIAMETER, given, DOCUMENT)
     assert found.kind == kind
     assert found.numbers == pytest.approx(numbers, rel=1e-12)
 
 
 def test_of_a_normal_distribution_one_in_370_lies_beyond_the_limits_of_a_drawing():
-    found = spread_in(DIAMETER, "normal(nominal +- 5 um)", DOCUMENT)
+    found = parse_spread(DIAMETER, "normal(nominal +- 5 um)", DOCUMENT)
     np.testing.assert_allclose(found.quantile([0.00134990, 0.99865010]), [19.995, 20.005], rtol=1e-9)
 
 
 def test_lists_and_ranges_of_negative_numbers_are_no_deviations():
     tilt = Parameter("load.tilt", ("load", "tilt"), "rad")
-    assert spread_in(tilt, "-2 mrad, -1 mrad", {}) == (-2e-3, -1e-3)
-    assert spread_in(tilt, "-2 mrad : -1 mrad : 2", {}) == (-2e-3, -1e-3)
+    assert parse_spread(tilt, "-2 mrad, -1 mrad", {}) == (-2e-3, -1e-3)
+    assert parse_spread(tilt, "-2 mrad : -1 mrad : 2", {}) == (-2e-3, -1e-3)
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_quantiles_are_those_of_scipy(mine, theirs):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_samples_have_mean_and_deviation_of_their_distribution(method):
-    drawn = Sampling(4096, method, 3).drawn([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])
+    drawn = Sampling(4096, method, 3).draw([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])
     assert drawn.shape == (4096, 2)
     # Four standard errors of random samples; the others are closer.
     np.testing.assert_allclose(drawn.mean(axis=0), [2.0, 0.5], atol=4.0 * 0.5 / 64.0)
@@ -138,11 +138,11 @@ def test_samples_have_mean_and_deviation_of_their_distribution(method):
     assert abs(np.corrcoef(drawn.T)[0, 1]) < 0.07
     np.testing.assert_array_equal(
         drawn[:10],
-        Sampling(4096, method, 3).drawn([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])[:10],
+        Sampling(4096, method, 3).draw([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])[:10],
     )
     assert np.any(
         drawn
-        != Sampling(4096, method, 4).drawn([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])
+        != Sampling(4096, method, 4).draw([Distribution("normal", (2.0, 0.5)), Distribution("uniform", (0.0, 1.0))])
     )
 
 
@@ -152,12 +152,12 @@ def test_a_latin_hypercube_has_one_sample_in_each_layer():
 
 
 def test_bounds_are_lowest_and_highest():
-    assert bounds_in(LOAD, "1 kN : 2 kN") == (1e3, 2e3)
-    assert bounds_in(LOAD, [1e3, "2 kN"]) == (1e3, 2e3)
+    assert parse_bounds(LOAD, "1 kN : 2 kN") == (1e3, 2e3)
+    assert parse_bounds(LOAD, [1e3, "2 kN"]) == (1e3, 2e3)
     for given, what in (
         ("1 kN : 2 kN : 3", "without a number of values"), ([2.0, 1.0], "ascend"), ([1.0], "be a range"),
     ):  # fmt: skip
         with pytest.raises(nh.InputError, match=what):
-            bounds_in(LOAD, given)
+            parse_bounds(LOAD, given)
     with pytest.raises(nh.InputError, match="change gradually"):
-        bounds_in(MATERIAL, "a : b")
+        parse_bounds(MATERIAL, "a : b")

@@ -258,11 +258,11 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
 
 def test_a_bearing_is_swept_too():
     from nonhertz.files.bearingfile import starting_bearing
-    from nonhertz.files.documents import parsed
-    from nonhertz.files.planfile import case_or_bearing_in
+    from nonhertz.files.planfile import parse_case_or_bearing
+    from nonhertz.files.toml import parse
 
     text = starting_bearing()
-    case = case_or_bearing_in(parsed(text, "bearing"), Path("bearing.toml"), text)
+    case = parse_case_or_bearing(parse(text, "bearing"), Path("bearing.toml"), text)
     over = {"load.radial": ["5 kN", "10 kN", "22 kN"], "solver.method": ["slices"]}
     found = nh.sweep(case, over=over, quantities=("max_load", "reference_life", "max_pressure", "warnings"))
     # Beyond half of C, 20.2 kN, the life has a finding.

@@ -32,7 +32,7 @@ def ishigami(x, a=7.0, b=0.1):
 def drawn(function, distributions, count, seed):
     """Return the results of Saltelli's arrangement in blocks."""
     sampling = Sampling(count, "saltelli", seed)
-    return function(sampling.drawn(distributions)).reshape(-1, len(distributions) + 2)
+    return function(sampling.draw(distributions)).reshape(-1, len(distributions) + 2)
 
 
 def test_indices_of_the_ishigami_function_are_within_their_intervals():

@@ -13,9 +13,9 @@ from nonhertz.files.bearingfile import BearingCase, starting_bearing
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case, read_case, starting_case
 from nonhertz.files.contact_results import as_object
-from nonhertz.files.documents import as_toml
 from nonhertz.files.results import key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
+from nonhertz.files.toml import to_toml
 from nonhertz.life import LoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 
@@ -203,7 +203,7 @@ def test_the_document_for_another_folder_names_the_same_files(tmp_path, monkeypa
     logarithm = '{ kind = "logarithmic", amplitude = 0.005, fraction = 0.9999 }'
     Path("cases/case.toml").write_text(starting_case().replace(logarithm, tables))
     case = read_case("cases/case.toml")
-    Path("found/best/case.toml").write_text(as_toml(case.document_in(Path("found/best"))))
+    Path("found/best/case.toml").write_text(to_toml(case.document_in(Path("found/best"))))
     found = read_case("found/best/case.toml")
     assert [each["file"] for each in found.document["body"]["a"]["profile"]] == ["../../data/relief.csv", names[1]]
     assert found.contact == case.contact

@@ -54,7 +54,7 @@ def test_every_claim_holds(name):
 @pytest.fixture(autouse=True)
 def _contacts_forget(monkeypatch):
     """What is made of a contact before and after a mistake is not the same."""
-    monkeypatch.setattr(problem, "derived", lambda contact, what, make: make())
+    monkeypatch.setattr(problem, "get_or_compute", lambda contact, what, make: make())
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from nonhertz.inputs.checks import LEAST
 from nonhertz.model.body import Body, TabulatedDiameter
 from nonhertz.model.corner import Chamfer, Corner, Cornered, Rounded
 from nonhertz.model.profile import uniform_pressure
-from nonhertz.model.profile.base import Moved, Profile, Straight, Sum
+from nonhertz.model.profile.base import Profile, Straight, Sum, Transformed
 from nonhertz.model.profile.circular import Arcs
 from nonhertz.model.profile.linear import Chamfers, Conical, TaperedEnds
 from nonhertz.model.profile.logarithm import Logarithmic
@@ -65,7 +65,7 @@ def apply_to_whole_arrays(function: Callable[[Array], ArrayLike]) -> Function:
     return answer
 
 
-def _moved_relief(of: Moved) -> core.Relief:
+def _moved_relief(of: Transformed) -> core.Relief:
     return core.Relief.moved(relief_of(of.profile), of.scale, of.shift, of.flip, *of.profile.extent)
 
 
@@ -112,7 +112,7 @@ FORMULAS: Final[Mapping[type[Profile], Callable[[Any], core.Relief | None]]] = M
         UniformPressure: _uniform_pressure,
         Tabulated: _table,
         Sum: lambda of: core.Relief.sum([relief_of(part) for part in of.parts]),
-        Moved: _moved_relief,
+        Transformed: _moved_relief,
         Cornered: _corner_relief,
     }
 )

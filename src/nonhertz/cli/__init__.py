@@ -64,24 +64,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise OSError(errno.EBADF, "standard output is closed")
         from nonhertz.cli.commands import run  # here, since its dependencies may be missing
 
-        with _interrupts_repeated():
+        with _repeat_dropped_interrupts():
             code = run([word for word in words if word != "--debug"])
         sys.stdout.flush()
         return code
     except SystemExit as error:
         # rich turns a broken pipe into SystemExit.
         if isinstance(error.__context__, BrokenPipeError):
-            return _ended(error.__context__)
+            return _report_end(error.__context__)
         raise
     except (Exception, KeyboardInterrupt) as error:  # noqa: BLE001  (top level: everything ends as an exit code)
         if debug:
             with contextlib.suppress(OSError):
                 traceback.print_exception(error)
-        return _ended(error)
+        return _report_end(error)
 
 
 @contextlib.contextmanager
-def _interrupts_repeated() -> Iterator[None]:
+def _repeat_dropped_interrupts() -> Iterator[None]:
     """Repeat a Ctrl-C that Python drops: one during a finaliser, or a callback from C."""
     before, timers = sys.unraisablehook, []
 
@@ -101,19 +101,19 @@ def _interrupts_repeated() -> Iterator[None]:
             timer.cancel()
 
 
-def _ended(error: BaseException) -> int:
+def _report_end(error: BaseException) -> int:
     """Say in one sentence how a command ended, and return its exit code."""
     if isinstance(error, OSError):  # discard all further output, including what the interpreter flushes on exit
         with contextlib.suppress(AttributeError, OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    code, lines = _verdict(error)
+    code, lines = _describe_end(error)
     # Standard error may be the stream that cannot be written.
     with contextlib.suppress(OSError):
         print(*lines, sep="\n", end="\n" if lines else "", file=sys.stderr)
     return code
 
 
-def _verdict(error: BaseException) -> tuple[int, list[str]]:
+def _describe_end(error: BaseException) -> tuple[int, list[str]]:
     match error:
         case CaseError(mistakes=[_, _, *_]):
             verdict = BAD_INPUT, [f"{i}. {mistake}" for i, mistake in enumerate(error.mistakes, start=1)]
@@ -130,8 +130,8 @@ def _verdict(error: BaseException) -> tuple[int, list[str]]:
         case ModuleNotFoundError(name=str(name)) if name.partition(".")[0] in _EXTRAS:
             package = name.partition(".")[0]
             extra = _EXTRAS[package]
-            way_out = f"pip install {package.replace('_', '-')}, or pip install '.[{extra}]' in the folder of nonhertz"
-            verdict = BAD_INPUT, [f"The package {package} is not installed, which {_NEEDS[extra]} needs: {way_out}"]
+            hint = f"pip install {package.replace('_', '-')}, or pip install '.[{extra}]' in the folder of nonhertz"
+            verdict = BAD_INPUT, [f"The package {package} is not installed, which {_NEEDS[extra]} needs: {hint}"]
         case _:
             what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")
             report = "please report it together with your case file"

@@ -29,7 +29,7 @@ class Answer:
     code: int = FINE
     wide: int | None = 120  # where there is no terminal; None for what COLUMNS says, or else 80
 
-    def printed(self, *, as_json: bool, judge: bool = False) -> int:
+    def print(self, *, as_json: bool, judge: bool = False) -> int:
         """Print it, and return the exit code, that of the verdict if it is asked for and nothing else went wrong."""
         if as_json:
             print(self.json())

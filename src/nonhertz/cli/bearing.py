@@ -8,10 +8,19 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, AsJson, Changes, Workers, named_as, refuse_unwritable_out, saved, written
+from nonhertz.cli.options import (
+    NONE,
+    AsJson,
+    Changes,
+    Workers,
+    refuse_unwritable_out,
+    rename_fields,
+    save_result,
+    write_outputs,
+)
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.bearing_results import comparison_files, comparison_object
-from nonhertz.files.bearingfile import BearingCase, placed, read_bearing
+from nonhertz.files.bearingfile import BearingCase, read_bearing, with_file_path
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import whole
@@ -69,14 +78,14 @@ def bearing(
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)
-    with named_as(**{"--out": "--rexs"}):
+    with rename_fields(**{"--out": "--rexs"}):
         refuse_unwritable_out(rexs, file=True)
     if compare:
-        return _compared(case, out)
+        return _compare(case, out)
     if over:
-        from nonhertz.cli.diagram import diagram_over  # studies are loaded for it alone
+        from nonhertz.cli.diagram import solve_diagram  # studies are loaded for it alone
 
-        return diagram_over(case, over, workers, out)
+        return solve_diagram(case, over, workers, out)
     with without_accuracy_warnings():  # which are printed with the results
         solution = case.solve()
     if contact is not None:
@@ -91,11 +100,11 @@ def bearing(
     try:
         life, reason = case.rated(solution)
     except InputError as error:  # of a contact, when its pressure is solved
-        raise placed(error, document=case.document) from None
+        raise with_file_path(error, document=case.document) from None
     result = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)
-    made = saved(result, out)
+    made = save_result(result, out)
     if rexs is not None:
         made += (write_rexs(rexs, case, solution, life),)
     return Answer(
@@ -108,9 +117,9 @@ def bearing(
     )
 
 
-def _compared(case: BearingCase, out: Path | None) -> Answer:
+def _compare(case: BearingCase, out: Path | None) -> Answer:
     """Return a bearing solved by strips and by slices."""
     both = case.solve("strips"), case.solve("slices")
-    made = written(out, lambda: comparison_files(*both, case.title))
+    made = write_outputs(out, lambda: comparison_files(*both, case.title))
     shown, text = compared_sections(case, *both), lambda: key_by_key(comparison_object(*both, case.title))
     return Answer(case.title, shown, text, written=made)

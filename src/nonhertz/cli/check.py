@@ -16,9 +16,9 @@ from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import NONE, Changes
 from nonhertz.errors import joined
-from nonhertz.files.documents import holds_plan, opened
 from nonhertz.files.keys import unit_of
-from nonhertz.files.planfile import DESIGN, case_or_bearing_in, design_in
+from nonhertz.files.planfile import DESIGN, parse_case_or_bearing, parse_design
+from nonhertz.files.toml import is_plan, load_document
 from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
@@ -54,7 +54,7 @@ def check(file: Path, /, *more: Path, changes: Changes = NONE) -> int:
 def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
     """Print the mistakes in a file, of several under its name, or what it holds; return whether there are none."""
     try:
-        content = _held(path, changes)
+        content = _describe_content(path, changes)
     except CaseError as error:
         if named:
             print(f"{path}:")
@@ -65,25 +65,25 @@ def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
     return True
 
 
-def _held(path: Path, changes: Mapping[str, Any]) -> str:
+def _describe_content(path: Path, changes: Mapping[str, Any]) -> str:
     """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds."""
-    document, _, text = opened(path, "case", "bearing", "plan")
-    if holds_plan(document):
-        return _plan(document, path, changes)
-    case = case_or_bearing_in(document, path, text, changes)
-    return _bearing(case) if isinstance(case, BearingCase) else _contact(case)
+    document, _, text = load_document(path, "case", "bearing", "plan")
+    if is_plan(document):
+        return _describe_plan(document, path, changes)
+    case = parse_case_or_bearing(document, path, text, changes)
+    return _describe_bearing(case) if isinstance(case, BearingCase) else _describe_contact(case)
 
 
-def _contact(case: Case) -> str:
+def _describe_contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
     solution, _ = attempted(case)
-    ends, pressed = mm(*case.contact.interval, between=" to "), _listed(case.prescribed)
+    ends, pressed = mm(*case.contact.interval, between=" to "), _list_inputs(case.prescribed)
     content = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
     bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}
-    return ".\ndoubtful: ".join((content, *_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
+    return ".\ndoubtful: ".join((content, *_find_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
 
 
-def _doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
+def _find_doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
     """Yield what is allowed of bodies under their largest pressure but looks like a slip of units."""
     for name, body in bodies.items():
         half = 0.5 * np.asarray(body.interval)
@@ -95,15 +95,15 @@ def _doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
         yield f"no metal bears the largest pressure, {mpa(pressure)}; check load, tilt and units"
 
 
-def _bearing(case: BearingCase) -> str:
+def _describe_bearing(case: BearingCase) -> str:
     # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
     row, pressure = case.bearing.rows[0].bearing, 0.0
     with contextlib.suppress(ConvergenceError):
         pressure = _largest_of_slices(case.solve("slices"), case.solver.laminae)
     kind, count = case.document["bearing"]["kind"], sum(row.bearing.rollers for row in case.bearing.rows)
-    content = f"{case.title!r}, a {kind} bearing of {count} rollers, {_listed(case.prescribed) or 'no load'}"
+    content = f"{case.title!r}, a {kind} bearing of {count} rollers, {_list_inputs(case.prescribed) or 'no load'}"
     bodies = {"roller": row.roller, "inner ring": row.inner, "outer ring": row.outer}
-    doubts, speed = [*_doubts(bodies, pressure)], case.prescribed.speed
+    doubts, speed = [*_find_doubts(bodies, pressure)], case.prescribed.speed
     if speed * row.pitch > FAST:
         doubts.append(
             f"speed = {format_input(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast"
@@ -123,7 +123,7 @@ def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
     return largest
 
 
-def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
+def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
     """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
     studies = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
@@ -137,7 +137,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
     if DESIGN in document:
-        case, options = design_in(document, path, changes=changes)
+        case, options = parse_design(document, path, changes=changes)
         try:
             checked_design(case, **options)
         except InputError as error:
@@ -146,7 +146,7 @@ def _plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> s
     return f"{plan.title!r}, {joined(studies) if studies else 'which varies nothing'}"
 
 
-def _listed(prescribed: Input) -> str:
+def _list_inputs(prescribed: Input) -> str:
     """Return loads, motions and speed as files have them, with the units that their descriptions say."""
     entries = []
     for name, value in document_of(prescribed, defaults=False).items():

@@ -79,7 +79,7 @@ _OF_ANSWERS = {
 
 
 @functools.cache
-def application(only: str | None = None) -> App:
+def build_application(only: str | None = None) -> App:
     """Return all commands, or the only one that runs: reading the others from their sources takes longer than it."""
     app = App(
         name="nonhertz",
@@ -97,7 +97,7 @@ def application(only: str | None = None) -> App:
             if only not in (None, name):
                 continue
             after = f"Example: nonhertz {example}\n\n{_EXIT_CODES}"
-            command = _command(name, _FUNCTIONS.get(name, name))
+            command = _import_lazily(name, _FUNCTIONS.get(name, name))
             app.command(command, name=name, group=group, sort_key=place, help_epilogue=after)
     help_too = Group.create_ordered("Help")
     for flag in ("--help", "--version"):
@@ -105,7 +105,7 @@ def application(only: str | None = None) -> App:
     return app
 
 
-def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
+def _import_lazily(name: str, function: str) -> Callable[..., Answer | int | None]:
     """Return a function with signature and docstring of a command, which imports the command when it is called."""
     source = resources.files("nonhertz.cli").joinpath(f"{name}.py")
     tree = ast.parse(source.read_text("utf-8"), str(source))
@@ -121,9 +121,9 @@ def _command(name: str, function: str) -> Callable[..., Answer | int | None]:
     def imported(*args: Any, **kwargs: Any) -> Answer | int | None:
         mine = {key: value for key, value in kwargs.items() if key in own or key not in added}
         if "changes" in mine:
-            from nonhertz.files.changes import changes_in
+            from nonhertz.files.changes import parse_changes
 
-            mine["changes"] = changes_in(mine["changes"])
+            mine["changes"] = parse_changes(mine["changes"])
         answer: Answer | int | None = getattr(importlib.import_module(f"nonhertz.cli.{name}"), function)(*args, **mine)
         return answer
 
@@ -141,7 +141,7 @@ def run(words: Sequence[str]) -> int:
     try:
         with _plain_warnings():
             # In a context of its own, which ends with the units that the command has chosen.
-            return contextvars.copy_context().run(_run, each_with_option(words))
+            return contextvars.copy_context().run(_run, repeat_set_option(words))
     except UnusedCliTokensError as error:
         unused = ", ".join(repr(word) for word in error.unused_tokens or ())
         print(f"This command takes no {unused}; see {_help_on(words)}.", file=sys.stderr)
@@ -150,13 +150,13 @@ def run(words: Sequence[str]) -> int:
         if words and words[0].endswith(".toml"):
             sentence = f"A command comes first, such as 'nonhertz solve {words[0]}'"
         elif isinstance(error, MissingArgumentError) and error.argument and error.argument.index is not None:
-            sentence = _missing(error.argument.name, words)
+            sentence = _explain_missing(error.argument.name, words)
         lead = f"{sentence} See" if sentence.endswith("?") else f"{sentence.rstrip('.')}; see"
         print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT
 
 
-def _missing(name: str, words: Sequence[str]) -> str:
+def _explain_missing(name: str, words: Sequence[str]) -> str:
     """Return what to do where an argument is missing, which may be because an option before it took it."""
     for place, word in enumerate(words):
         option = next((earlier for earlier in reversed(words[1:place]) if earlier.startswith("--")), "")
@@ -174,7 +174,7 @@ def _help_on(words: Sequence[str]) -> str:
 
 def _run(words: Sequence[str]) -> int:
     """Run one command in the units that it is asked to show; JSON is in SI units."""
-    app = application(words[0] if words and words[0] in COMMANDS else None)
+    app = build_application(words[0] if words and words[0] in COMMANDS else None)
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     options = bound.arguments
     choose_units("si" if options.get("as_json") else options.get("units", "si"))
@@ -185,11 +185,11 @@ def _run(words: Sequence[str]) -> int:
         print(error, file=sys.stderr)
         return NOT_CONVERGED
     if isinstance(answer, Answer):
-        return answer.printed(as_json=options.get("as_json", False), judge=options.get("judge", False))
+        return answer.print(as_json=options.get("as_json", False), judge=options.get("judge", False))
     return answer if isinstance(answer, int) else FINE
 
 
-def each_with_option(words: Sequence[str]) -> list[str]:
+def repeat_set_option(words: Sequence[str]) -> list[str]:
     """Return the words of a command line, with ``--set`` again before each further change that follows one."""
     completed: list[str] = []
     after = False  # a change, so that another may follow

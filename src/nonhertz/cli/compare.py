@@ -10,10 +10,10 @@ from cyclopts import Parameter
 from nonhertz import comparison as methods
 from nonhertz import plot
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, write_outputs
 from nonhertz.cli.printing import Progress
 from nonhertz.errors import InputError
-from nonhertz.files.casefile import placed, read_case
+from nonhertz.files.casefile import read_case, with_file_path
 from nonhertz.files.comparisons import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.show.comparison import sections
@@ -55,8 +55,10 @@ def compare(
     except InputError as error:
         if error.field == "cells":
             raise InputError("--cells", error.value, error.condition, "give two whole numbers such as 64 256") from None
-        raise placed(error, read.document) from None
+        raise with_file_path(error, read.document) from None
     title = read.title
-    made = written(out, lambda: files(comparison, title), lambda: {"comparison": plot.comparison(comparison, title)})
+    made = write_outputs(
+        out, lambda: files(comparison, title), lambda: {"comparison": plot.comparison(comparison, title)}
+    )
     verdict, text = of_contact(comparison.semi_elliptic), lambda: key_by_key(as_object(comparison, title))
     return Answer(title, sections(comparison), text, verdict, comparison.warnings, made)

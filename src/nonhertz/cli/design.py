@@ -13,12 +13,12 @@ import numpy as np
 from nonhertz import Case, InputError
 from nonhertz.amounts import of_dimension
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, Workers, named_after, named_as, written
-from nonhertz.cli.printing import bar
-from nonhertz.files.documents import as_toml
+from nonhertz.cli.options import NONE, Changes, Workers, default_output_path, rename_fields, write_outputs
+from nonhertz.cli.printing import progress_bar
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.planfile import read_design
 from nonhertz.files.studies import DESIGN, FRONT, as_text
+from nonhertz.files.toml import to_toml
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table, assumed_section
 from nonhertz.show.studies import design_sections
@@ -56,26 +56,26 @@ def design(
         front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
         the current directory.
     """
-    directory = named_after(plan, "-design", out)
+    directory = default_output_path(plan, "-design", out)
     refuse_unwritable(directory)
     case, options = read_design(plan, changes)
     options |= {} if starts is None else {"starts": starts}
     if front is not None:
-        return _front(case, options, front, workers, directory)
-    with bar("searches") as update, named_as(threads="--workers", starts="--starts"):
+        return _find_front(case, options, front, workers, directory)
+    with progress_bar("searches") as update, rename_fields(threads="--workers", starts="--starts"):
         best_design = best(case, **options, workers=workers, announce=update)
-    made = written(directory, lambda: _texts(best_design, directory), lambda: design_figures(best_design))
+    made = write_outputs(directory, lambda: _output_texts(best_design, directory), lambda: design_figures(best_design))
     text = partial(as_text, DESIGN, made, design=best_design)
     shown = [*design_sections(best_design), assumed_section(case.assumed)]
     return Answer(best_design.was.title, shown, text, best_design.verdict, best_design.warnings, made)
 
 
-def _texts(design: Design, out: Path) -> dict[str, str]:
+def _output_texts(design: Design, out: Path) -> dict[str, str]:
     """Return the optimised case, the relief of both bodies together after and before, and all numbers, by file name."""
     rows = np.column_stack(design.relief).tolist()
     cells = ([f"{y:.9g}", *("" if math.isnan(value) else f"{value:.9f}" for value in rest)] for y, *rest in rows)
     return {
-        "case.toml": as_toml(design.case.document_in(out) | {"title": f"{design.was.title}, designed"}),
+        "case.toml": to_toml(design.case.document_in(out) | {"title": f"{design.was.title}, designed"}),
         "profile.csv": csv_text(["y [mm]", "relief [mm]", "relief before [mm]"], cells),
         "design.json": as_text(DESIGN, design=design) + "\n",
     }
@@ -84,7 +84,7 @@ def _texts(design: Design, out: Path) -> dict[str, str]:
 # A front
 
 
-def _front(case: Case, options: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
+def _find_front(case: Case, options: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
     """Find the Pareto front of the loads of a plan without tilt and of those with tilt, and write it.
 
     Raises
@@ -100,7 +100,7 @@ def _front(case: Case, options: dict[str, Any], points: int, workers: int | None
         raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
     if options.get("goal", "pressure") != "pressure":
         raise InputError("goal", options["goal"], "be 'pressure' for a front", "leave it out")
-    with named_as(threads="--workers", starts="--starts", points="--front"):
+    with rename_fields(threads="--workers", starts="--starts", points="--front"):
         front = front_of(
             case, first=aligned, second=tilted, vary=options.get("vary"), where=options.get("where"), points=points,
             starts=options.get("starts"), workers=workers,
@@ -109,9 +109,9 @@ def _front(case: Case, options: dict[str, Any], points: int, workers: int | None
     texts = {"front.csv": _front_table(front), "front.json": as_json() + "\n"}
     for number, point_case in enumerate(front.cases, start=1):
         title = {"title": f"{point_case.title}, point {number} of a front"}
-        texts[f"case-{number}.toml"] = as_toml(point_case.document_in(out) | title)
+        texts[f"case-{number}.toml"] = to_toml(point_case.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
-    made = written(out, lambda: texts, lambda: {"front": front_figure(front, groups)})
+    made = write_outputs(out, lambda: texts, lambda: {"front": front_figure(front, groups)})
     return Answer("", _front_sections(front), partial(as_json, made), front.verdict, front.warnings, made)
 
 

@@ -11,11 +11,11 @@ from cyclopts import Parameter
 
 from nonhertz import ConvergenceError, InputError, read_case
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, Words, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, Words, refuse_unwritable_out, write_outputs
 from nonhertz.cli.printing import Progress
-from nonhertz.files.documents import named
 from nonhertz.files.lives import Assessment, as_object, files
 from nonhertz.files.results import key_by_key
+from nonhertz.files.toml import name_file_in_errors
 from nonhertz.inputs.files import printable_name
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
@@ -59,14 +59,14 @@ def life(
             raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
     cases = [read_case(case, changes)]
     if compared is not None:
-        with named(compared):
+        with name_file_in_errors(compared):
             cases.append(read_case(compared, changes))
     refuse_unwritable_out(out)
     models, notes = models_for(cases[0], model, cases[1:])
     assessments: list[Assessment] = []
     with Progress(sum(life_case.life.steps for life_case in cases)) as progress:
         for life_case in cases:
-            with named(life_case.path) if assessments else contextlib.nullcontext():
+            with name_file_in_errors(life_case.path) if assessments else contextlib.nullcontext():
                 try:
                     spectrum = spectrum_solved(life_case)
                 except ConvergenceError as error:
@@ -76,12 +76,12 @@ def life(
     first, other = assessments[0], assessments[1] if len(assessments) > 1 else None
     names = (f"in {printable_name(str(life_case.path))}" for life_case in cases)
     verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
-    made = written(out, lambda: files(first, other), lambda: _figures(first, other))
-    shown = [*_shown([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
+    made = write_outputs(out, lambda: files(first, other), lambda: _draw_figures(first, other))
+    shown = [*_list_sections([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
     return Answer(first.title, shown, lambda: key_by_key(as_object(first, other)), worst_of(verdicts), written=made)
 
 
-def _figures(assessment: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
+def _draw_figures(assessment: Assessment, other: Assessment | None) -> Mapping[str, Figure]:
     beside = None if other is None else other.lives
     drawn = {"life-density": life_figure(assessment.spectrum, assessment.lives, assessment.title, beside)}
     if assessment.dent is not None:
@@ -89,7 +89,7 @@ def _figures(assessment: Assessment, other: Assessment | None) -> Mapping[str, F
     return drawn
 
 
-def _shown(files: Sequence[Path], first: Assessment, other: Assessment | None) -> list[Section]:
+def _list_sections(files: Sequence[Path], first: Assessment, other: Assessment | None) -> list[Section]:
     """Return the lives by all models, what they are relative to, those of another case, and warnings of both.
 
     Of two cases each has a heading: its file and its title.

@@ -10,12 +10,12 @@ from cyclopts import Parameter
 
 from nonhertz import InputError, read_case
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, named_as, refuse_unwritable_out
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, rename_fields
 from nonhertz.cli.printing import Progress
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.files.folder import write_files
 from nonhertz.files.map_results import as_object
-from nonhertz.files.spreads import number_in, range_in
+from nonhertz.files.spreads import parse_number, parse_range
 from nonhertz.maps import contact_map as map_of
 from nonhertz.maps.value import ROWS, TILTS
 from nonhertz.show.maps import sections
@@ -66,17 +66,17 @@ def contact_map(
         remedy = "name a .csv file for a table, or a .npz file for the map itself"
         raise InputError("--out", str(out), f"be a file ending in {', '.join(_SUFFIXES)}", remedy)
     ((name, word),) = pressing.items()
-    low, high, rows = range_in(_OPTIONS[name], word, *_EXAMPLES[name])
+    low, high, rows = parse_range(_OPTIONS[name], word, *_EXAMPLES[name])
     pressed: dict[str, Any] = {name: (low, high)}
     turned: float | tuple[float, float] = read.prescribed.tilt or 0.0
     tilts: int | None = 1
     if tilt is not None and ":" in tilt:
-        *ends, tilts = range_in("--tilt", tilt, "rad", "-2mrad:2mrad")
+        *ends, tilts = parse_range("--tilt", tilt, "rad", "-2mrad:2mrad")
         turned = ends[0], ends[1]
     elif tilt is not None:
-        turned = number_in("--tilt", tilt, "rad")
+        turned = parse_number("--tilt", tilt, "rad")
     refuse_unwritable_out(out, file=True)
-    with named_as(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
+    with rename_fields(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
         fitted_map = map_of(
             read.contact, **pressed, tilt=turned, accuracy=accuracy, element=read.solver.element,
             announce=progress.announce,

@@ -7,9 +7,9 @@ from itertools import groupby
 
 from nonhertz.amounts import amount, format_input, mpa
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import named_as
+from nonhertz.cli.options import rename_fields
 from nonhertz.files.materials import as_object
-from nonhertz.model.materials import LIBRARY, Listed, listed_as
+from nonhertz.model.materials import LIBRARY, Entry, find_entry
 from nonhertz.show.sections import Said, Section, Table
 
 
@@ -21,8 +21,8 @@ def materials(name: str | None = None, /) -> Answer:
     name : str
         One of them, with the source of its numbers and what limits their use; by default all.
     """
-    with named_as(name="NAME"):
-        entries = LIBRARY if name is None else (listed_as(name),)
+    with rename_fields(name="NAME"):
+        entries = LIBRARY if name is None else (find_entry(name),)
     factor, unit = mpa().scale
     rows: list[tuple[str, ...]] = []
     for group, members in groupby(entries, key=lambda entry: entry.group):
@@ -43,7 +43,7 @@ def materials(name: str | None = None, /) -> Answer:
     return Answer("", shown, lambda: json.dumps(as_object(entries), indent=2, ensure_ascii=False))
 
 
-def _row(entry: Listed, factor: float) -> tuple[str, ...]:
+def _row(entry: Entry, factor: float) -> tuple[str, ...]:
     """Return its cells; ``factor`` turns MPa into what people read."""
     material = entry.material
 

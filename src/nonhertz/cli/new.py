@@ -8,14 +8,14 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import Words, named_as, path_and_value
+from nonhertz.cli.options import Words, rename_fields, split_assignment
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.files.casefile import starting_case
 from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
-from nonhertz.files.documents import write_new
 from nonhertz.files.geometries import bearing_of_designation
 from nonhertz.files.planfile import read_any, starting_plan
+from nonhertz.files.toml import write_new
 
 
 def new(
@@ -71,13 +71,13 @@ def new(
     _refuse_alone("--geometries", geometries, "--designation", designation is not None)
     file = (Path() if path is None else path.parent) / "case.toml" if case is None else case
     fields = ("template", "component", "rexs", "catalogue", "designation", "geometries")
-    with named_as(**{name: f"--{name}" for name in fields}):
+    with rename_fields(**{name: f"--{name}" for name in fields}):
         if rexs is not None:
             from nonhertz.files.rexs import bearing_file_of_rexs  # loaded for it alone
 
             text = bearing_file_of_rexs(rexs, component)
         elif catalogue:
-            data = dict(path_and_value(word, "d=30", "--catalogue") for word in catalogue)
+            data = dict(split_assignment(word, "d=30", "--catalogue") for word in catalogue)
             text = text_of_guess(guess_of_catalogue(data))
         elif designation is not None:
             text = bearing_of_designation(designation, geometries)

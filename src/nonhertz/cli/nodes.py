@@ -9,7 +9,7 @@ import numpy as np
 from nonhertz import InputError, Solution, read_case
 from nonhertz.amounts import mpa, newton
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, named_after, named_as
+from nonhertz.cli.options import NONE, Changes, default_output_path, rename_fields
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
@@ -42,21 +42,21 @@ def nodes(
     out : Path
         The CSV file to write; by default the name of the file of nodes with '-pressure.csv', in the current directory.
     """
-    path = named_after(nodes, "-pressure.csv", out)
+    path = default_output_path(nodes, "-pressure.csv", out)
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
         raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
     read = read_case(case, changes)
-    with named_as(path="NODES"):
+    with rename_fields(path="NODES"):
         mesh = read_nodes(nodes)
     refuse_unwritable_file(path)
     solution = solved(read)
     loads = solution.at_nodes(mesh.x, mesh.y)
     made = write_files(path.parent, {path.name: as_table(mesh, loads)})
-    shown, text = _sentences(solution, loads), lambda: key_by_key(as_object(solution, loads, read.title))
+    shown, text = _describe_loads(solution, loads), lambda: key_by_key(as_object(solution, loads, read.title))
     return Answer(read.title, [Section("", [Said(shown)])], text, of_contact(solution), solution.warnings, made)
 
 
-def _sentences(solution: Solution, loads: NodalLoads) -> list[str]:
+def _describe_loads(solution: Solution, loads: NodalLoads) -> list[str]:
     """Return how many nodes are in contact, and how the sums of their pressures and forces relate to the load."""
     touching = int(np.count_nonzero(loads.pressure))
     highest = mpa(float(np.max(loads.pressure)))

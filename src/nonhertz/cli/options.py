@@ -75,7 +75,7 @@ Figures = Callable[[], "Mapping[str, Figure]"]
 
 
 @contextlib.contextmanager
-def named_as(**options: str) -> Iterator[None]:
+def rename_fields(**options: str) -> Iterator[None]:
     """Name refused arguments by their options, such as ``threads="--workers"``; others keep their names."""
     try:
         yield
@@ -85,7 +85,7 @@ def named_as(**options: str) -> Iterator[None]:
         raise error.about(options[error.field], error.value) from None
 
 
-def named_after(file: Path, ending: str, out: Path | None) -> Path:
+def default_output_path(file: Path, ending: str, out: Path | None) -> Path:
     """Return where a command writes: to ``--out``, else beside the caller under the name of its file."""
     return Path(f"{printable_name(file.stem)}{ending}") if out is None else out
 
@@ -98,20 +98,22 @@ def refuse_unwritable_out(out: Path | None, *, file: bool = False) -> None:
         (refuse_unwritable_file if file else refuse_unwritable)(out)
 
 
-def written(out: Path | None, texts: Callable[[], Mapping[str, str]], figures: Figures = dict) -> tuple[Path, ...]:
+def write_outputs(
+    out: Path | None, texts: Callable[[], Mapping[str, str]], figures: Figures = dict
+) -> tuple[Path, ...]:
     """Write texts and figures by their names into a directory, if one is named; return the files."""
     from nonhertz.files.folder import write_files
 
-    return () if out is None else write_files(out, texts(), drawing(figures))
+    return () if out is None else write_files(out, texts(), figure_writer(figures))
 
 
-def saved(result: Result, out: Path | None) -> tuple[Path, ...]:
+def save_result(result: Result, out: Path | None) -> tuple[Path, ...]:
     """Write a result into a directory, if one is named; return the files."""
-    with named_as(folder="--out"):
+    with rename_fields(folder="--out"):
         return () if out is None else result.save(out)
 
 
-def drawing(figures: Figures) -> Callable[[Path], None]:
+def figure_writer(figures: Figures) -> Callable[[Path], None]:
     """Return what draws figures and saves them in a folder."""
 
     def draw(folder: Path) -> None:
@@ -122,7 +124,7 @@ def drawing(figures: Figures) -> Callable[[Path], None]:
     return draw
 
 
-def path_and_value(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
+def split_assignment(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
     """Return what stands before and behind the equals sign of a word of an option.
 
     Raises

@@ -54,7 +54,7 @@ def print_result(
         console.print(Text(title, style="bold"))
     if verdict is not None:
         say(f"{verdict.words} {verdict.sentence}", _LEVELS.get(verdict.level, "yellow"))
-    for number, blocks in enumerate(_grouped(sections)):
+    for number, blocks in enumerate(_group_blocks(sections)):
         if number:
             console.print()
         for block in blocks:
@@ -68,7 +68,7 @@ def print_result(
     print_written(written)
 
 
-def _grouped(sections: Iterable[Section]) -> list[list[Table | Said]]:
+def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Said]]:
     """Return what stands together without an empty line; summaries that follow each other are one table."""
     groups: list[list[Table | Said]] = []
     for section in sections:
@@ -99,7 +99,7 @@ def _print_rows(console: Console, shown: Table) -> None:
         if not (at == 1 if shown.room else words):
             whole.add(at)
         table.add_column(
-            _glued(heads[at] if heads else "", at in whole),
+            _keep_together(heads[at] if heads else "", at in whole),
             justify="left" if words else "right",
             overflow="fold",
             no_wrap=at in whole,
@@ -108,7 +108,7 @@ def _print_rows(console: Console, shown: Table) -> None:
     for row in shown.rows:
         heading = "bold" if len(row) == 1 else ""
         cells = [(str(row[at]) if at < len(row) else "", at in whole) for at in columns]
-        table.add_row(*(_glued(cell, glued, _VERDICTS.get(cell, heading)) for cell, glued in cells))
+        table.add_row(*(_keep_together(cell, glued, _VERDICTS.get(cell, heading)) for cell, glued in cells))
     least = Measurement.get(console, console.options.update(width=sys.maxsize), table).minimum
     wide = Console(highlight=False, width=max(console.width, least))
     with wide.capture() as captured:
@@ -116,7 +116,7 @@ def _print_rows(console: Console, shown: Table) -> None:
     print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
 
 
-def _glued(cell: str, whole: bool, style: str = "") -> Text:
+def _keep_together(cell: str, whole: bool, style: str = "") -> Text:
     """Return the text of a cell that is not broken at all, or not between a number and its unit."""
     return Text(cell.replace(" ", _GLUE) if whole else _TOGETHER.sub(_GLUE, cell), style)
 
@@ -163,7 +163,7 @@ class Progress:
 
 
 @contextlib.contextmanager
-def bar(what: str) -> Iterator[Update | None]:
+def progress_bar(what: str) -> Iterator[Update | None]:
     """Show a bar with the time to go, on a terminal: how many are done, of how many, and how many were there before."""
     if not sys.stderr.isatty():
         yield None

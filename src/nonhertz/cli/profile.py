@@ -11,9 +11,9 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import refuse_unwritable_out, written
+from nonhertz.cli.options import refuse_unwritable_out, write_outputs
 from nonhertz.errors import InputError
-from nonhertz.files.measured import PREPARING, READING, checked, measured_in
+from nonhertz.files.measured import PREPARING, READING, read_measured, validate_key
 from nonhertz.files.prepared import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import one_of
@@ -94,16 +94,16 @@ def profile(
     """
     words = {key: word for key, word in locals().items() if key in KEYS and word is not None}
     refuse_unwritable_out(out)
-    with _options_named():
-        values = {key: checked(key, _meant(key, word)) for key, word in words.items()}
-        measured = measured_in(file, values)
+    with _rename_options():
+        values = {key: validate_key(key, _parse_word(key, word)) for key, word in words.items()}
+        measured = read_measured(file, values)
         _ = measured.states
     fits: tuple[ProfileFit, ...] = ()
     if fit is not None:
         one_of("--fit", fit, (*KINDS, BEST), "name a kind of profile, or 'best' to compare all")
         fits = measured.fit_best() if fit == BEST else (measured.fit(fit),)
     name = measured.trace.name
-    made = written(
+    made = write_outputs(
         out,
         lambda: files(out or Path(), file, values, measured, fits),
         lambda: {"profile-steps": measured_figure(measured, name, fits[0] if fits else None)},
@@ -113,7 +113,7 @@ def profile(
 
 
 @contextlib.contextmanager
-def _options_named() -> Iterator[None]:
+def _rename_options() -> Iterator[None]:
     """Name refused values by the options that people type."""
     try:
         yield
@@ -125,7 +125,7 @@ def _options_named() -> Iterator[None]:
         raise InputError(field, error.value, error.condition, remedy) from None
 
 
-def _meant(name: str, word: str | bool) -> Any:
+def _parse_word(name: str, word: str | bool) -> Any:
     """Return the value that a word means: a number if it looks like one, false for "no", or text with a unit."""
     if isinstance(word, bool) or name in _WORDS:
         return word

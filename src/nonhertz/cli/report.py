@@ -10,7 +10,7 @@ from typing import Annotated
 from cyclopts import Parameter
 
 from nonhertz.cli.exit_codes import FINE, NOT_CONVERGED
-from nonhertz.cli.options import NONE, Changes, UnitsRead, named_as
+from nonhertz.cli.options import NONE, Changes, UnitsRead, rename_fields
 from nonhertz.cli.printing import Progress, print_written
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
@@ -70,13 +70,13 @@ def report(
     no_date : bool
         Leave out today's date: the same files then give the same report to the last byte.
     """
-    with named_as(project="--project", author="--author", date="--date"):
+    with rename_fields(project="--project", author="--author", date="--date"):
         block = TitleBlock(project=project, author=author, date=date)
     cases = (case, *more)
     path = _target(out, cases)
     with without_accuracy_warnings():  # which the report shows
         read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))
-    with named_as(cases="CASE"):
+    with rename_fields(cases="CASE"):
         first = of_one_kind(read)[0]
     if not no_date:
         block = block.over(first.title_block).dated()

@@ -10,9 +10,9 @@ from typing import Any
 from nonhertz import CaseError, Result, read_case
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE, NOT_CONVERGED
-from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, saved
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, save_result
 from nonhertz.files.folder import write_files
-from nonhertz.files.several import HEAD, Attempt, folders, objects, rows
+from nonhertz.files.several import HEAD, Attempt, name_folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section
@@ -44,30 +44,30 @@ def solve(
         folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
     """
     if more or (out is not None and _is_table(out)):
-        return _several((case, *more), changes, out)
+        return _solve_several((case, *more), changes, out)
     read = read_case(case, changes)
     solution, complaint = attempted(read)
     result = Result(read, solution)
     shown = sections(solution, read)
     return Answer(
         read.title, shown, result.to_json, of_contact(solution), solution.warnings,
-        saved(result, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
+        save_result(result, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
     )  # fmt: skip
 
 
-def _several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None) -> Answer:
+def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None) -> Answer:
     """Solve cases one by one and write all results; the exit code is the worst of all."""
     workbook = out is not None and _is_table(out) and out.suffix.lower() == ".xlsx"
     refuse_unwritable_out(out, file=out is not None and _is_table(out))
     if workbook:
         refuse_missing_writer()
-    attempts = [_attempt(path, changes) for path in paths]
+    attempts = [_attempt_case(path, changes) for path in paths]
     complaints = [(attempt.name, sentence) for attempt in attempts for sentence in attempt.complaints]
     return Answer(
         "", [Section("", [overview_table(attempts)])], lambda: json.dumps(objects(attempts), allow_nan=False),
         worst_of({f"in {attempt.name}": attempt.verdict for attempt in attempts}),
         [f"{attempt.name}: {one}" for attempt in attempts if attempt.solution for one in attempt.solution.warnings],
-        () if out is None else _several_written(out, attempts, workbook),
+        () if out is None else _write_several(out, attempts, workbook),
         [words if words.startswith(name) else f"{name}: {words}" for name, words in complaints],
         BAD_INPUT if any(attempt.solution is None for attempt in attempts) else NOT_CONVERGED if complaints else FINE,
     )  # fmt: skip
@@ -78,7 +78,7 @@ def _is_table(out: Path) -> bool:
     return out.suffix.lower() in TABLES and not out.is_dir()
 
 
-def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
+def _attempt_case(path: Path, changes: Mapping[str, Any]) -> Attempt:
     """Return a case that was solved, or why it was not."""
     case = None
     try:
@@ -89,7 +89,7 @@ def _attempt(path: Path, changes: Mapping[str, Any]) -> Attempt:
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 
-def _several_written(out: Path, attempts: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
+def _write_several(out: Path, attempts: Sequence[Attempt], workbook: bool) -> tuple[Path, ...]:
     """Write each result into a folder of its own, and the table of all, or the table alone; return the files."""
     if workbook:
         inputs = ((attempt.name, attempt.case.document) for attempt in attempts if attempt.case is not None)
@@ -99,7 +99,7 @@ def _several_written(out: Path, attempts: Sequence[Attempt], workbook: bool) -> 
     if _is_table(out):
         return write_files(out.parent, {out.name: table})
     made: list[Path] = []
-    for attempt, name in zip(attempts, folders(attempts), strict=True):
+    for attempt, name in zip(attempts, name_folders(attempts), strict=True):
         if attempt.solution is not None and attempt.case is not None:
-            made += saved(Result(attempt.case, attempt.solution), out / name)
+            made += save_result(Result(attempt.case, attempt.solution), out / name)
     return (*made, *write_files(out, {TABLE: table}))

@@ -9,7 +9,7 @@ from pathlib import Path
 from nonhertz import InputError, read_case
 from nonhertz.amounts import mm
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, written
+from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, write_outputs
 from nonhertz.cli.printing import Progress
 from nonhertz.files.results import key_by_key
 from nonhertz.files.stresses import all_findings, as_object, files
@@ -73,7 +73,7 @@ def stress(
             progress.announce("planes and figures")
             planes = stress_planes(solution, extremes[1])
             figures = functools.partial(stress_figures, solution, *extremes, read.title, planes)
-            made = written(out, lambda: files(text, planes), figures)
+            made = write_outputs(out, lambda: files(text, planes), figures)
     shown, verdict = sections(solution, *extremes, (strength,)), of_contact(solution, (strength,))
     shown = [*shown, assumed_section(read.assumed)]
     return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *extremes), made)

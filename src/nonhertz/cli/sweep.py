@@ -16,16 +16,16 @@ from nonhertz.cli.options import (
     Scheduler,
     Words,
     Workers,
-    drawing,
-    named_after,
-    named_as,
-    path_and_value,
+    default_output_path,
+    figure_writer,
+    rename_fields,
+    split_assignment,
 )
-from nonhertz.cli.printing import Update, bar
+from nonhertz.cli.printing import Update, progress_bar
 from nonhertz.errors import InputError, UnknownKeyError
-from nonhertz.files.documents import holds_plan, opened
-from nonhertz.files.planfile import Plan, case_or_bearing_in
+from nonhertz.files.planfile import Plan, parse_case_or_bearing
 from nonhertz.files.studies import SWEEP, as_text
+from nonhertz.files.toml import is_plan, load_document
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import sweep_sections
 from nonhertz.study.pictures import sweep_figures
@@ -66,16 +66,18 @@ def sweep_plan(
     """
     if excel:
         refuse_missing_writer()
-    study_plan = planned(plan, over, quantities, "over", changes)
-    directory = named_after(plan, "-sweep", out)
-    with bar("rows") as update, named_as(threads="--workers", over="--over"):
-        results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, announce=of_rows(update))
-    made = results.save(directory, drawing(lambda: sweep_figures(results)), excel=excel)
+    study_plan = load_plan(plan, over, quantities, "over", changes)
+    directory = default_output_path(plan, "-sweep", out)
+    with progress_bar("rows") as update, rename_fields(threads="--workers", over="--over"):
+        results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, announce=report_rows(update))
+    made = results.save(directory, figure_writer(lambda: sweep_figures(results)), excel=excel)
     text = partial(as_text, SWEEP, made, sweep=results)
     return Answer(results.plan.title, sweep_sections(results), text, verdict=results.verdict, written=made)
 
 
-def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]) -> Plan:
+def load_plan(
+    file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]
+) -> Plan:
     """Return the plan of a file, what it varies in one of its tables; or of a case, what the command line varies.
 
     ``changes`` are values in place of those in the case file, by path.
@@ -87,16 +89,16 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
     InputError
         If an option cannot be read, named as on the command line.
     """
-    document, _, text = opened(file, "plan", "case", "bearing")
-    if not holds_plan(document):
-        plan = Plan(case_or_bearing_in(document, file, text, changes), path=file)
+    document, _, text = load_document(file, "plan", "case", "bearing")
+    if not is_plan(document):
+        plan = Plan(parse_case_or_bearing(document, file, text, changes), path=file)
     elif over:
         remedy = "write it into the plan, or give the case file in place of the plan"
         raise InputError("--over", over[0], "vary a case file", remedy)
     else:
         plan = Plan.of(document, file, text, changes, table)
     try:
-        return plan.changed(over=dict(map(path_and_value, over)) or None, quantities=tuple(quantities) or None)
+        return plan.changed(over=dict(map(split_assignment, over)) or None, quantities=tuple(quantities) or None)
     except UnknownKeyError:
         raise
     except InputError as error:
@@ -104,7 +106,7 @@ def planned(file: Path, over: Sequence[str], quantities: Sequence[str], table: s
         raise error.about(option, error.value) from None
 
 
-def of_rows(update: Update | None) -> Callable[[Progress], object]:
+def report_rows(update: Update | None) -> Callable[[Progress], object]:
     """Return what says before the first row how many there are and how long they take, and shows how many are done."""
 
     def announce(come: Progress) -> None:
@@ -112,7 +114,7 @@ def of_rows(update: Update | None) -> Callable[[Progress], object]:
             complete = f"all {come.total} rows were there" if come.found == come.total else ""
             notices = [complete or f"continuing from {come.found} of {come.total} rows"] if come.found else []
             if come.seconds is not None and come.seconds >= WORTH_SAYING:
-                notices.append(f"{come.total - come.found} rows, {about_time(come.seconds)}")
+                notices.append(f"{come.total - come.found} rows, {round_time(come.seconds)}")
             if notices:
                 print("; ".join(notices), file=sys.stderr, flush=True)
         if update is not None:
@@ -121,12 +123,12 @@ def of_rows(update: Update | None) -> Callable[[Progress], object]:
     return announce
 
 
-def about_time(seconds: float) -> str:
+def round_time(seconds: float) -> str:
     """Return a time as people say it, of which no more is known than its size.
 
     Examples
     --------
-    >>> about_time(43.0), about_time(236.0), about_time(9000.0)
+    >>> round_time(43.0), round_time(236.0), round_time(9000.0)
     ('about 40 seconds', 'about 4 minutes', 'about 2.5 hours')
     """
     for unit, size, most in (("seconds", 1.0, 90.0), ("minutes", 60.0, 90.0)):

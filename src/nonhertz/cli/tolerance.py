@@ -13,13 +13,13 @@ from nonhertz.cli.options import (
     Scheduler,
     Words,
     Workers,
-    drawing,
-    named_after,
-    named_as,
-    path_and_value,
+    default_output_path,
+    figure_writer,
+    rename_fields,
+    split_assignment,
 )
-from nonhertz.cli.printing import bar
-from nonhertz.cli.sweep import of_rows, planned
+from nonhertz.cli.printing import progress_bar
+from nonhertz.cli.sweep import load_plan, report_rows
 from nonhertz.files.studies import TOLERANCE, as_text
 from nonhertz.files.workbooks import refuse_missing_writer
 from nonhertz.show.studies import tolerance_sections
@@ -68,21 +68,21 @@ def study_tolerance(
     """
     if excel:
         refuse_missing_writer()
-    study_plan = planned(plan, over, quantities, "tolerance", changes)
-    directory = named_after(plan, "-tolerance", out)
-    bounds = dict(path_and_value(word, "max_pressure='at most 3800 MPa'", "--limits") for word in limits) or None
+    study_plan = load_plan(plan, over, quantities, "tolerance", changes)
+    directory = default_output_path(plan, "-tolerance", out)
+    bounds = dict(split_assignment(word, "max_pressure='at most 3800 MPa'", "--limits") for word in limits) or None
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
-    with bar("rows") as update, named_as(**options):
+    with progress_bar("rows") as update, rename_fields(**options):
         study = tolerance(
             study_plan, samples=samples, seed=seed, limits=bounds, out=directory, workers=workers, scheduler=scheduler,
-            announce=of_rows(update),
+            announce=report_rows(update),
         )  # fmt: skip
 
     as_json = partial(as_text, TOLERANCE, tolerance=study, sweep=study.sweep)
 
     def draw(folder: Path) -> None:
         (folder / "tolerance.json").write_text(as_json() + "\n", encoding="utf-8")
-        drawing(lambda: tolerance_figures(study))(folder)
+        figure_writer(lambda: tolerance_figures(study))(folder)
 
     made = study.sweep.save(directory, draw, excel=excel)
     title, shown = study.sweep.plan.title, tolerance_sections(study)

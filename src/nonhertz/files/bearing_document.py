@@ -24,9 +24,9 @@ from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.mistakes import place_of
 from nonhertz.files.profiles import read_profile
-from nonhertz.files.reading import Reading, Surroundings, read, section
+from nonhertz.files.reading import ReadContext, TableReader, check_table, read_input
 from nonhertz.files.ring_shapes import read_shape, shape_tables
-from nonhertz.files.sections import FORMAT_FIELD, combined_radius, of_both, sampled, title_of
+from nonhertz.files.sections import FORMAT_FIELD, combined_radius, describe_title, locate_body_error, sample_interval
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.descriptions import Part, Several
@@ -67,7 +67,7 @@ class BearingFile(Input):
     """A bearing file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[str, title_of("bearing")] = ""
+    title: Annotated[str, describe_title("bearing")] = ""
     # What a section depends on comes before it.
     roller: Rollers
     inner: InnerRing
@@ -98,9 +98,9 @@ class BearingFile(Input):
         ring = "inner"
         try:
             for ring, contact in zip(("inner", "outer"), self.bearing.rows[0].bearing.contacts, strict=True):  # noqa: B007
-                contact.curvature(sampled(contact.interval))
+                contact.curvature(sample_interval(contact.interval))
         except InputError as error:
-            renamed = of_both(error)
+            renamed = locate_body_error(error)
             body, _, rest = renamed.field.partition(".")
             place = f"{'roller' if body == 'a' else ring}.{rest}"
             raise InputError(place, renamed.value, renamed.condition, renamed.remedy) from None
@@ -119,7 +119,7 @@ class BearingFile(Input):
                 rows = self.bearing
                 self.fit.mounted(replace(rows, preload=None) if isinstance(rows, Paired) else rows, self.load.speed)
             except InputError as error:
-                raise of_fit(error) from None
+                raise locate_fit_error(error) from None
 
     @cross_check("solver", "life")
     def _check_edges(self) -> None:
@@ -164,36 +164,36 @@ def read_document(document: dict[str, Any], folder: Path | None) -> BearingFile:
     InputsError
         With all mistakes.
     """
-    file = Surroundings(folder, _radius_across(document), read_profile)
-    bearing_file = _FileReading(BearingFile, document, file, ()).made()
+    file = ReadContext(folder, _radius_across(document), read_profile)
+    bearing_file = _FileReader(BearingFile, document, file, ()).build()
     assert isinstance(bearing_file, BearingFile)
     return bearing_file
 
 
-class _FileReading(Reading):
+class _FileReader(TableReader):
     """A bearing file that is being read."""
 
-    def way_out(self, name: str) -> str:
+    def hint(self, name: str) -> str:
         """Return what to do where a section is missing."""
-        return "write it under a heading [bearing]" if name == "bearing" else super().way_out(name)
+        return "write it under a heading [bearing]" if name == "bearing" else super().hint(name)
 
-    def value(self, name: str, written: Any) -> Any:
+    def read_value(self, name: str, written: Any) -> Any:
         """Return the value of a section."""
         if name == "life" and isinstance(written, dict):
             _refuse_oil(written)
         if name != "bearing":
-            return super().value(name, written)
-        table, pair = dict(section(written, (name,))), None
+            return super().read_value(name, written)
+        table, pair = dict(check_table(written, (name,))), None
         mistakes: list[InputError] = []
         if "pair" in table:
             try:
-                pair = read(Pair, table.pop("pair"), self.file, (name, "pair"))
+                pair = read_input(Pair, table.pop("pair"), self.file, (name, "pair"))
             except InputError as error:
                 mistakes += error.within("pair").each
         parts = {part: self.values.get(part) for part in PARTS}
-        row = _RowReading(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",))
+        row = _RowReader(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",))
         try:
-            made: Any = row.made()
+            made: Any = row.build()
         except InputsError as error:
             for mistake in error.each:
                 part = place_of(mistake.field)[0]
@@ -213,14 +213,14 @@ def _refuse_oil(life: dict[str, Any]) -> None:
         raise InputsError(sorted(elsewhere, key=lambda error: error.field))
 
 
-class _RowReading(Reading):
+class _RowReader(TableReader):
     """A row of rollers that is being read."""
 
-    def value(self, name: str, written: Any) -> Any:
+    def read_value(self, name: str, written: Any) -> Any:
         """Return the value of a field."""
         if name in SHAPES:
             return read_shape(written, self.file, (*self.place, name))
-        return super().value(name, written)
+        return super().read_value(name, written)
 
 
 def _radius_across(document: dict[str, Any]) -> Any:
@@ -235,7 +235,7 @@ def _radius_across(document: dict[str, Any]) -> Any:
     return combined_radius(document.get("roller"), document.get("inner"))
 
 
-def of_fit(error: InputError) -> InputError:
+def locate_fit_error(error: InputError) -> InputError:
     """Return an error about a fit as one about ``[fit]``."""
     if error.field == "bearing":
         condition = "be left out: fits are those of cylindrical, needle, tapered and spherical bearings"

@@ -27,13 +27,13 @@ from nonhertz.files.bearing_document import (
     BearingFile,
     BearingLifeConditions,
     bearing_sections,
-    of_fit,
+    locate_fit_error,
     read_document,
 )
 from nonhertz.files.casefile import Case
-from nonhertz.files.documents import OF_BEARINGS, starting_text
-from nonhertz.files.held import HeldCase
+from nonhertz.files.document import CaseBase
 from nonhertz.files.mistakes import case_error
+from nonhertz.files.toml import OF_BEARINGS, starting_text
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_of, whole
 from nonhertz.inputs.fields import Input
@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from nonhertz.verdict import Verdict
 
 
-def _loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
+def _check_loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
     """Refuse what is no loaded bearing or no life of one."""
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.solution import BearingSolution
@@ -63,7 +63,7 @@ def _loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
 
 
 @dataclass(frozen=True, repr=False)
-class BearingCase(HeldCase):
+class BearingCase(CaseBase):
     """A bearing, what loads it, how that is solved, and how its life is assessed.
 
     Attributes
@@ -82,7 +82,7 @@ class BearingCase(HeldCase):
     lubrication : Lubrication
         Viscosity and cleanliness of the oil.
     title, path, title_block, origin
-        As of `HeldCase`.
+        As of `CaseBase`.
 
     Raises
     ------
@@ -160,7 +160,7 @@ class BearingCase(HeldCase):
         try:
             return self.fit.operating(self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
-            raise placed(error, "fit", document=self.document) from None
+            raise with_file_path(error, "fit", document=self.document) from None
 
     @cached_property
     def mounted(self) -> RollerBearing | Paired:
@@ -180,7 +180,7 @@ class BearingCase(HeldCase):
         try:
             return self.fit.mounted(self.bearing, self._inner_speed, method=self.solver.method)
         except InputError as error:
-            raise placed(error, "fit", document=self.document) from None
+            raise with_file_path(error, "fit", document=self.document) from None
 
     @property
     def kinematics(self) -> Kinematics | None:
@@ -192,7 +192,7 @@ class BearingCase(HeldCase):
         """Return the films of oil in the loaded bearing; None without a speed or an oil."""
         from nonhertz.bearing.film import films
 
-        _loaded(solution)
+        _check_loaded(solution)
         speed, oil = self.prescribed.speed, self.lubrication
         if not speed or oil.dynamic_viscosity is None:
             return None
@@ -202,7 +202,7 @@ class BearingCase(HeldCase):
         """Return torque and power loss of the loaded bearing; None where oil, speed, series or sizes are not known."""
         from nonhertz.bearing.friction import friction
 
-        _loaded(solution)
+        _check_loaded(solution)
         rating, viscosity = self._rating, self.lubrication.in_place.viscosity
         if rating is None or viscosity is None or not self.prescribed.speed:
             return None
@@ -225,7 +225,7 @@ class BearingCase(HeldCase):
         """Return how the loaded bearing compares with limits that makers publish."""
         from nonhertz.bearing.limits import limits
 
-        _loaded(solution)
+        _check_loaded(solution)
         viscosity, speed = self.lubrication.in_place.viscosity, self.prescribed.speed
         ratio = None
         if viscosity is not None and speed:
@@ -243,7 +243,7 @@ class BearingCase(HeldCase):
         """Return the verdict on the loaded bearing, with its life if it has one."""
         from nonhertz.verdict import of_bearing
 
-        _loaded(solution, life)
+        _check_loaded(solution, life)
         return of_bearing(solution, life, self.operating_clearance, self.films(solution), self.limits(solution))
 
     @property
@@ -277,7 +277,7 @@ class BearingCase(HeldCase):
         try:
             fit, _ = self.fit.at(self.bearing.rows[0].bearing, clearance)
         except InputError as error:
-            raise placed(error, "fit", document=self.document) from None
+            raise with_file_path(error, "fit", document=self.document) from None
         return replace(self, bearing=self.bearing.at(clearance), fit=fit)
 
     def tolerances(self, solution: BearingSolution, life: BearingLife | None = None) -> Tolerances | None:
@@ -297,11 +297,11 @@ class BearingCase(HeldCase):
         """
         from nonhertz.bearing.toleranced import Tolerances, numbers_of
 
-        _loaded(solution, life)
+        _check_loaded(solution, life)
         try:
             ranges = clearance_ranges(self.fit, self.bearing.rows[0].bearing, self._inner_speed)
         except InputError as error:
-            raise placed(error, "fit", document=self.document) from None
+            raise with_file_path(error, "fit", document=self.document) from None
         if ranges.known:
             return None
         if solution.method not in self.at_limits:
@@ -345,7 +345,7 @@ class BearingCase(HeldCase):
         try:
             return solve(self.mounted, **self.prescribed.keywords, turning=self.life.turning, **solver)
         except InputError as error:
-            raise placed(error, document=self.document) from None
+            raise with_file_path(error, document=self.document) from None
 
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
@@ -378,7 +378,7 @@ class BearingCase(HeldCase):
             return assess(pairs, **conditions, speed=speeds)
         except InputError as error:
             if error.field in {*LifeConditions.descriptions, *Lubrication.descriptions, "speed", "viscosity_ratio"}:
-                raise placed(error, "life", document=self.document) from None
+                raise with_file_path(error, "life", document=self.document) from None
             raise
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
@@ -394,7 +394,7 @@ class BearingCase(HeldCase):
         except InputError as error:
             if error.field in {"bearing", "solution"}:
                 return None, f"the bearing must {error.condition}"
-            raise placed(error, "life", document=self.document) from None
+            raise with_file_path(error, "life", document=self.document) from None
 
     def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
         """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
@@ -430,7 +430,7 @@ class BearingCase(HeldCase):
         """
         from nonhertz.bearing.section import RINGS
 
-        _loaded(solution)
+        _check_loaded(solution)
         roller = whole("roller", roller, 0, solution.angle.size - 1, "count from 0")
         one_of("ring", ring, RINGS, "name one of both")
         side = RINGS.index(ring)
@@ -502,14 +502,14 @@ def starting_bearing(template: str | None = None) -> str:
     return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
 
 
-def placed(error: InputError, *sections: str, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
+def with_file_path(error: InputError, *sections: str, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
     """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
 
     An error about something that is in no file, such as the approach of a contact, comes from the loads.
     """
     field = error.field.partition(".")[0]
     if sections == ("fit",):
-        error = of_fit(error)
+        error = locate_fit_error(error)
     elif within := [
         section
         for section in (*sections, "lubrication", "load", "solver")

@@ -37,24 +37,24 @@ def has_long_key(text: str) -> bool:
     return _LONG_KEY.search(text) is not None
 
 
-def excess(document: dict[str, Any]) -> str:
+def exceeded_limit(document: dict[str, Any]) -> str:
     """Return which limit a document exceeds, as a clause; empty if none.
 
     Examples
     --------
-    >>> excess({"load": {"load": 20000.0}})
+    >>> exceeded_limit({"load": {"load": 20000.0}})
     ''
-    >>> excess({f"k{number}": 1 for number in range(6000)})
+    >>> exceeded_limit({f"k{number}": 1 for number in range(6000)})
     'there are more than 5000 keys'
     """
-    if deeper(document, NESTING):
+    if is_deeper(document, NESTING):
         return TOO_DEEP
     if sum(len(table) for _, table in walk(document) if isinstance(table, dict)) > KEYS:
         return f"there are more than {KEYS} keys"
     return ""
 
 
-def deeper(value: Any, most: int) -> bool:
+def is_deeper(value: Any, most: int) -> bool:
     """Return whether tables and lists are nested more than ``most`` levels deep."""
     return any(len(place) >= most for place, _ in walk(value))
 

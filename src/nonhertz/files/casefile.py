@@ -12,11 +12,11 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.documents import starting_text
-from nonhertz.files.held import HeldCase
+from nonhertz.files.document import CaseBase
 from nonhertz.files.mistakes import case_error
-from nonhertz.files.reading import read
-from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, of_both, surroundings
+from nonhertz.files.reading import read_input
+from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, locate_body_error, read_context
+from nonhertz.files.toml import starting_text
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES
@@ -36,7 +36,7 @@ _SECTIONS = {
 
 
 @dataclass(frozen=True, repr=False)
-class Case(HeldCase):
+class Case(CaseBase):
     """Two bodies, what presses them together, how that is solved, and how long the bodies last.
 
     Attributes
@@ -50,7 +50,7 @@ class Case(HeldCase):
     life : Life
         How long the bodies last: models and a spectrum of loads.
     title, path, title_block, origin
-        As of `HeldCase`.
+        As of `CaseBase`.
 
     Examples
     --------
@@ -75,7 +75,7 @@ class Case(HeldCase):
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> CaseDocument:
         """Return what a document holds."""
-        return read(CaseDocument, document, surroundings(document, folder))
+        return read_input(CaseDocument, document, read_context(document, folder))
 
     @property
     def parts(self) -> dict[str, Input]:
@@ -114,7 +114,7 @@ class Case(HeldCase):
         try:
             return solve(self.contact, **self.prescribed.keywords, **self.solver.keywords)
         except InputError as error:
-            raise placed(error, self.document) from None
+            raise with_file_path(error, self.document) from None
 
 
 def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case:
@@ -171,9 +171,9 @@ def starting_case(template: str | None = None) -> str:
     return starting_text("starting_case.toml", template, TEMPLATES, "templates")
 
 
-def placed(error: InputError, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
+def with_file_path(error: InputError, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
     """Return an error from `nonhertz.solve` as one about the case file, with field and value as in its document."""
     if error.field in _OF_BOTH_BODIES:
-        return case_error([of_both(error).within("body")])
+        return case_error([locate_body_error(error).within("body")])
     section = next((section for section, fields in _SECTIONS.items() if error.field in fields), None)
     return case_error([error.within(section) if section else error], document)

@@ -12,8 +12,8 @@ from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.documents import as_toml
-from nonhertz.files.spreads import number_in
+from nonhertz.files.spreads import parse_number
+from nonhertz.files.toml import to_toml
 from nonhertz.inputs.descriptions import unknown_word_error
 
 #: Symbols of catalogues: what they are called in `from_catalogue`, and the unit of a plain number.
@@ -76,7 +76,7 @@ def _argument(symbol: str, text: str) -> tuple[str, Any]:
     try:
         return name, int(text) if name == "rollers" else float(text)
     except ValueError:
-        return name, number_in(symbol, text, unit)
+        return name, parse_number(symbol, text, unit)
 
 
 def text_of_guess(
@@ -99,7 +99,7 @@ def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
         for word in (*words, "Numbers are in mm, N, rad and 1/min.")
         for line in textwrap.wrap(word, _COLUMNS, subsequent_indent="  " * (word[0] == "-"))
     )
-    return "".join(f"# {line}\n" for line in wrapped) + "\n" + as_toml(dict(document))
+    return "".join(f"# {line}\n" for line in wrapped) + "\n" + to_toml(dict(document))
 
 
 def guessed_document(guess: CatalogueGuess) -> dict[str, Any]:

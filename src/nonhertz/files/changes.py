@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError, UnknownKeyError
-from nonhertz.files.documents import as_toml
+from nonhertz.files.toml import to_toml
 from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import printable_name
 
@@ -16,7 +16,7 @@ _LONGEST = 60  # characters of a value in the comment
 _OPTION = "--set"
 
 
-def changes_in(words: Sequence[str]) -> dict[str, Any]:
+def parse_changes(words: Sequence[str]) -> dict[str, Any]:
     """Return what words such as ``load.load=5kN`` put into a file, by path.
 
     A value is read as in the file, except that text needs no quotes; without a value, the key is taken out.
@@ -28,7 +28,7 @@ def changes_in(words: Sequence[str]) -> dict[str, Any]:
 
     Examples
     --------
-    >>> changes_in(["load.load=5kN", "solver.strips=41", "load.tilt="])
+    >>> parse_changes(["load.load=5kN", "solver.strips=41", "load.tilt="])
     {'load.load': '5kN', 'solver.strips': 41, 'load.tilt': None}
     """
     changes: dict[str, Any] = {}
@@ -39,11 +39,11 @@ def changes_in(words: Sequence[str]) -> dict[str, Any]:
             raise InputError(_OPTION, word, "have an equals sign between path and value", remedy)
         if path in changes:
             raise InputError(_OPTION, word, "set each path once", f"leave one of the values of {path} out")
-        changes[path] = _value(value) if value else None
+        changes[path] = _parse_value(value) if value else None
     return changes
 
 
-def changed(
+def apply_changes(
     document: dict[str, Any],
     text: str | None,
     changes: Mapping[str, Any],
@@ -74,14 +74,14 @@ def changed(
     if not changes:
         return document, text
     # Here, since they know the fields of bearings, too, which are loaded only where something is changed.
-    from nonhertz.files.paths import drops_first, parameter, parameters
+    from nonhertz.files.paths import drop_before_parameters, find_parameter, list_parameters
 
-    whole, mistakes, known = document, [], parameters(document, kind)
+    whole, mistakes, known = document, [], list_parameters(document, kind)
     named = (known[path] for path, value in changes.items() if path in known and value is not None)
     changes = {other: None for target in named for other in target.replaced_in(document)} | dict(changes)
-    for path, value in drops_first(changes):
+    for path, value in drop_before_parameters(changes):
         try:
-            target = parameter(path, parameters(whole, kind))
+            target = find_parameter(path, list_parameters(whole, kind))
         except InputError as error:
             sentence = f"{error.field} must {error.condition}: {error.remedy}."
             mistakes.append((str(error) if isinstance(error, UnknownKeyError) else sentence, error.field))
@@ -89,15 +89,15 @@ def changed(
             whole = target.removed(whole) if value is None else target.put(whole, value)
     if mistakes:
         raise CaseError(*zip(*mistakes, strict=True))
-    what = ", ".join(_sentence(*change) for change in changes.items())
+    what = ", ".join(_describe_change(*change) for change in changes.items())
     try:
-        return whole, f"# Set in place of what the file held: {what}\n" + as_toml(whole)
+        return whole, f"# Set in place of what the file held: {what}\n" + to_toml(whole)
     except (TypeError, ValueError):
         remedy = "give numbers, text, or lists and dictionaries of them"
         raise InputError("changes", dict(changes), "hold what a TOML file can", remedy) from None
 
 
-def _value(text: str) -> Any:
+def _parse_value(text: str) -> Any:
     """Return a value as it is written in TOML, or else the text."""
     try:
         parsed_value = tomllib.loads(f"value = {text}")
@@ -106,7 +106,7 @@ def _value(text: str) -> Any:
     return parsed_value["value"] if set(parsed_value) == {"value"} else text
 
 
-def _sentence(path: str, value: Any) -> str:
+def _describe_change(path: str, value: Any) -> str:
     if value is None:
         return f"without {path}"
     text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)

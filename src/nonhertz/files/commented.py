@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from nonhertz.files.bounds import has_long_key
-from nonhertz.files.documents import as_toml
+from nonhertz.files.toml import to_toml
 
 
-def as_toml_like(document: dict[str, Any], text: str) -> str:
+def update_toml(document: dict[str, Any], text: str) -> str:
     r"""Return a document as TOML, written into a text that held another version of it.
 
     Lines whose values are the same stay as they are. Where the text is none of TOML, or the changes do not fit into it,
@@ -18,12 +18,12 @@ def as_toml_like(document: dict[str, Any], text: str) -> str:
 
     Examples
     --------
-    >>> print(as_toml_like({"load": {"load": "25 kN"}}, '[load]\nload = "20 kN" # of the catalogue\n'), end="")
+    >>> print(update_toml({"load": {"load": "25 kN"}}, '[load]\nload = "20 kN" # of the catalogue\n'), end="")
     [load]
     load = "25 kN" # of the catalogue
     """
     if "#" not in text or has_long_key(text):
-        return as_toml(document)
+        return to_toml(document)
     import tomlkit
     from tomlkit.exceptions import TOMLKitError
 
@@ -31,9 +31,9 @@ def as_toml_like(document: dict[str, Any], text: str) -> str:
         whole = tomlkit.parse(text)
         _write_into(whole, document)
         rewritten = tomlkit.dumps(whole)
-        return rewritten if tomllib.loads(rewritten) == document else as_toml(document)
+        return rewritten if tomllib.loads(rewritten) == document else to_toml(document)
     except (TOMLKitError, ValueError, KeyError, IndexError, TypeError, AttributeError, RecursionError):
-        return as_toml(document)
+        return to_toml(document)
 
 
 def _write_into(table: Any, values: Mapping[str, Any], *, within: bool = False) -> None:

@@ -42,7 +42,7 @@ def write_files(
         If the directory cannot be written to.
     """
     directory = Path(directory)
-    with _drafts(directory) as drafts:
+    with _draft_folder(directory) as drafts:
         for name, text in texts.items():
             (drafts / name).write_text(text, encoding="utf-8", newline="\n")
         if draw is not None:
@@ -81,7 +81,7 @@ def refuse_unwritable(directory: Path) -> None:
     InputError
         If the directory cannot be written to.
     """
-    with _drafts(directory, keep=False):
+    with _draft_folder(directory, keep=False):
         pass
 
 
@@ -100,7 +100,7 @@ def refuse_unwritable_file(path: Path) -> None:
 
 
 @contextlib.contextmanager
-def _drafts(directory: Path, *, keep: bool = True) -> Iterator[Path]:
+def _draft_folder(directory: Path, *, keep: bool = True) -> Iterator[Path]:
     """Make a folder for drafts in a directory; refuse one that cannot be written to.
 
     The directory is created if need be, and taken away again if that fails or nothing is to be kept.

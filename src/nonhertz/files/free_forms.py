@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.files.paths import Keys
-from nonhertz.files.spreads import number_in
+from nonhertz.files.spreads import parse_number
 from nonhertz.inputs.checks import whole
 from nonhertz.inputs.units import to_unit
 
@@ -130,7 +130,7 @@ def half_length(document: Mapping[str, Any], keys: Keys) -> float:
     return 0.5 * length - (taken if isinstance(taken, float) else 0.0)
 
 
-def free_form_in(field: str, value: Any) -> FreeForm | None:
+def parse_free_form(field: str, value: Any) -> FreeForm | None:
     """Return the free profile that a text such as ``"free(60 um, 8)"`` stands for; None if it is no such text.
 
     Raises
@@ -142,18 +142,18 @@ def free_form_in(field: str, value: Any) -> FreeForm | None:
     if match is None:
         return None
     relief, *rest = match[1].split(",")
-    deepest = number_in(field, relief, "mm")
+    deepest = parse_number(field, relief, "mm")
     if not 0.0 < deepest < math.inf:
         raise InputError(field, value, "have a relief above zero", "write free(60 um), the most relief at the ends")
     knots: float = USUAL_KNOTS
     if rest and not _BOUND.fullmatch(rest[0]):
-        knots = number_in(field, rest.pop(0), "")
+        knots = parse_number(field, rest.pop(0), "")
     bounds = {}
     for text in rest:
         bound = _BOUND.fullmatch(text)
         if bound is None or bound[1] in bounds:
             raise InputError(field, value, "hold a slope and a radius at most once after its knots", _REMEDY)
-        bounds[bound[1]] = number_in(field, bound[2], "rad" if bound[1] == "slope" else "mm")
+        bounds[bound[1]] = parse_number(field, bound[2], "rad" if bound[1] == "slope" else "mm")
         if not 0.0 < bounds[bound[1]] < math.inf:
             raise InputError(field, value, f"have a {bound[1]} above zero", _REMEDY)
     number = whole(field, knots, FEWEST_KNOTS, MOST_KNOTS, "give the number of knots")  # type: ignore[arg-type]

@@ -116,8 +116,8 @@ class Table:
 @cache
 def table_of(cls: Any) -> Table:
     """Return the table of an input, by its class."""
-    own = _plain(cls)
-    kinds = {word: replace(_plain(kind), word=word) for word, kind in cls.kinds.items()}
+    own = _table_of_kind(cls)
+    kinds = {word: replace(_table_of_kind(kind), word=word) for word, kind in cls.kinds.items()}
     every = {name: key for table in (*kinds.values(), own) for name, key in table.keys.items()}
     # What one kind needs others do not.
     every = {
@@ -127,11 +127,11 @@ def table_of(cls: Any) -> Table:
     return replace(own, keys=every, kinds=kinds, meaning_of_kind=cls.meaning_of_kind)
 
 
-def _plain(cls: type[Input]) -> Table:
+def _table_of_kind(cls: type[Input]) -> Table:
     """Return the table of an input of one kind."""
-    usual = _usual(cls)
+    usual = _list_defaults(cls)
     keys = {
-        name: _key(name, description, usual.get(name, MISSING), cls.inputs.get(name))
+        name: _describe_key(name, description, usual.get(name, MISSING), cls.inputs.get(name))
         for name, description in cls.descriptions.items()
     }
     if issubclass(cls, RollerBearing):
@@ -144,13 +144,13 @@ def _plain(cls: type[Input]) -> Table:
     return Table(cls.__name__, meaning, keys, pairs=pairs, apart=cls.apart, name=cls.__name__)
 
 
-def _usual(cls: type[Input]) -> dict[str, Any]:
+def _list_defaults(cls: type[Input]) -> dict[str, Any]:
     """Return the defaults of an input's fields."""
     usual = {field.name: default_of(field) for field in dataclasses.fields(cls)}  # type: ignore[arg-type]
     return {name: value for name, value in usual.items() if value is not MISSING}
 
 
-def _key(name: str, description: Description, usual: Any, inner: Any) -> Key:
+def _describe_key(name: str, description: Description, usual: Any, inner: Any) -> Key:
     if getattr(description, "of", None) is Profile:
         return Key(description, None, profile_kinds(), several=True)
     if name in SHAPES:
@@ -175,7 +175,7 @@ def profile_kinds() -> tuple[Table, ...]:
 
 
 def _profile_table(kind: str) -> Table:
-    needed, usual = needed_keys(kind), _usual(KINDS[kind])
+    needed, usual = needed_keys(kind), _list_defaults(KINDS[kind])
     # What is not given is that of the body.
     defaults = usual | dict.fromkeys(needed, MISSING)
     keys = {name: Key(description, defaults.get(name)) for name, description in keys_of(kind).items()}

@@ -7,7 +7,7 @@ from typing import Any, Final
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, MapOf, input_keys
 from nonhertz.model.material import Material
-from nonhertz.model.materials import LIBRARY, Listed
+from nonhertz.model.materials import LIBRARY, Entry
 
 #: Keys of what is printed of the library; what is not known is null.
 MATERIALS: Final = (
@@ -27,6 +27,6 @@ MATERIALS: Final = (
 )  # fmt: skip
 
 
-def as_object(entries: tuple[Listed, ...] = LIBRARY) -> dict[str, Any]:
+def as_object(entries: tuple[Entry, ...] = LIBRARY) -> dict[str, Any]:
     """Return entries of the library by name."""
     return results.document(MATERIALS, entries={entry.name: entry for entry in entries})

@@ -84,12 +84,12 @@ class MeasuredProfile(ProfileKind):
         if is_special_file(folder / self.file):
             raise InputError("file", self.file, "be a file, not a device or a pipe", "save the measured points in one")
         values = {name: value for name, value in vars(self).items() if value is not None}
-        measured = measured_in(folder / self.file, values)
+        measured = read_measured(folder / self.file, values)
         warn(measured.findings_for())
         return measured.profile(self.interpolation)
 
 
-def checked(name: str, value: Any) -> Any:
+def validate_key(name: str, value: Any) -> Any:
     """Return the value of a key, lengths in mm.
 
     Raises
@@ -103,7 +103,7 @@ def checked(name: str, value: Any) -> Any:
     return known[name].validate(name, value)
 
 
-def measured_in(
+def read_measured(
     source: Path | bytes,
     values: Mapping[str, Any],
     name: str | None = None,

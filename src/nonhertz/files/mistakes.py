@@ -28,14 +28,14 @@ def case_error(mistakes: Iterable[InputError], document: Mapping[str, Any] = Map
     written = {place: text for place, text in walk(document) if isinstance(text, str)}
     named = [mistake.about(mistake.field, written.get(place_of(mistake.field), mistake.value)) for mistake in mistakes]
     listed, rest = named[:MISTAKES], len(named) - MISTAKES
-    sentences, places = [sentence(mistake) for mistake in listed], [mistake.field for mistake in listed]
+    sentences, places = [describe_mistake(mistake) for mistake in listed], [mistake.field for mistake in listed]
     if rest > 0:
         sentences.append(f"There are {rest} more mistakes." if rest > 1 else "There is one more mistake.")
         places.append("")
     return CaseError(sentences, places)
 
 
-def sentence(mistake: InputError) -> str:
+def describe_mistake(mistake: InputError) -> str:
     """Return what the user reads of a mistake; what is missing has no value to show, since TOML has no null."""
     wordless = mistake.value is None and not isinstance(mistake, UnknownKeyError)
     return f"{mistake.field} must {mistake.condition}: {mistake.remedy}." if wordless else str(mistake)
@@ -59,7 +59,7 @@ def path_of(place: Place) -> str:
     return path
 
 
-def in_order(mistakes: Iterable[InputError], document: dict[str, Any]) -> list[InputError]:
+def sort_by_place(mistakes: Iterable[InputError], document: dict[str, Any]) -> list[InputError]:
     """Return mistakes in the order of their places in the file; missing keys come after those present."""
     numbers = {place: number for number, (place, _) in enumerate(walk(document))}
 
@@ -82,6 +82,6 @@ def place_of(path: str) -> Place:
     return tuple(json.loads(quoted) if quoted else int(number) if number else key for quoted, number, key in parts)
 
 
-def missing(path: str, remedy: str) -> InputError:
+def missing_key_error(path: str, remedy: str) -> InputError:
     """Return the mistake of leaving out a required key."""
     return InputError(path, None, "be given", remedy)

@@ -17,7 +17,7 @@ from nonhertz.errors import InputError, nearest
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, within
 from nonhertz.files.traces.heads import cells_of
-from nonhertz.files.traces.text import decoded, value_in
+from nonhertz.files.traces.text import decode, value_in
 from nonhertz.inputs.files import read_input_file
 from nonhertz.inputs.units import to_unit
 from nonhertz.result.nodes import NodalLoads
@@ -63,7 +63,7 @@ def read_nodes(path: Path) -> Nodes:
     InputError
         If the file cannot be read, has no such columns, or a line of it has no such numbers.
     """
-    lines, _ = decoded(*read_input_file("path", path, LARGEST))
+    lines, _ = decode(*read_input_file("path", path, LARGEST))
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
         raise InputError("path", str(path), "hold nodes", _EXAMPLE)

@@ -102,7 +102,7 @@ class Parameter:
         return rest
 
 
-def parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
+def list_parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
     """Return all that can be varied in a document, by path.
 
     Parameters
@@ -139,12 +139,12 @@ def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str,
             yield name, document[name]
 
 
-def drops_first(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
+def drop_before_parameters(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
     """Return values by path in the order in which to put them: none takes the place of another."""
     return sorted(values.items(), key=lambda item: not str(item[0]).endswith(".drop"))
 
 
-def parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
+def find_parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     """Return the parameter of a path.
 
     Raises
@@ -187,12 +187,12 @@ def _within(value: Any, key: Key, keys: Keys) -> Iterator[Parameter]:
     if isinstance(value, list) and key.several:
         for position, entry in enumerate(value, start=1):
             if isinstance(entry, dict):
-                yield from _in_tables(entry, _of_its_kind(entry, key.tables), (*keys, position))
+                yield from _in_tables(entry, _tables_of_kind(entry, key.tables), (*keys, position))
     elif (isinstance(value, dict) or value is None) and not isinstance(key.description, Several):
-        yield from _in_tables(value, _of_its_kind(value, key.tables), keys)
+        yield from _in_tables(value, _tables_of_kind(value, key.tables), keys)
 
 
-def _of_its_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
+def _tables_of_kind(value: Any, tables: Sequence[Table]) -> Sequence[Table]:
     """Return those of several tables that a value may be, profiles by their kind."""
     kind = _entry(value, "kind")
     return [table for table in tables if not table.meaning_of_kind or table.kinds or table.word == kind]

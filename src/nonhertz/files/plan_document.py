@@ -10,7 +10,7 @@ from typing import Annotated, Any
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS
 from nonhertz.files.sampling import Sampling
-from nonhertz.files.sections import FORMAT_FIELD, title_of
+from nonhertz.files.sections import FORMAT_FIELD, describe_title
 from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.descriptions import Count, Custom, Part, Quantity, Several, Word
 from nonhertz.inputs.fields import Input, input_class
@@ -25,30 +25,30 @@ _VARIED: dict[str, Any] = {
 _TEXTS = {"type": "array", "items": {"type": "string"}}
 
 
-def flat(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+def flatten(tables: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """Yield paths and values of tables in tables: TOML makes them of dotted keys without quotes.
 
     Examples
     --------
-    >>> list(flat({"load": {"tilt": "0 : 1 mrad : 3"}, "load.load": [1.0]}))
+    >>> list(flatten({"load": {"tilt": "0 : 1 mrad : 3"}, "load.load": [1.0]}))
     [('load.tilt', '0 : 1 mrad : 3'), ('load.load', [1.0])]
     """
     for key, value in tables.items():
         if isinstance(value, dict):
-            yield from ((f"{key}.{below}", entry) for below, entry in flat(value))
+            yield from ((f"{key}.{below}", entry) for below, entry in flatten(value))
         else:
             yield key, value
 
 
-def _by_path(name: str, value: Any, remedy: str) -> dict[str, Any]:
+def _flatten_table(name: str, value: Any, remedy: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise InputError(name, value, "be a table", remedy)
-    return dict(flat(value))
+    return dict(flatten(value))
 
 
 def _by_paths(meaning: str) -> Custom:
     """Return what describes a table of values by path."""
-    return Custom(meaning, _by_path, _VARIED, _REMEDY)
+    return Custom(meaning, _flatten_table, _VARIED, _REMEDY)
 
 
 def _as_given(name: str, value: Any, remedy: str) -> Any:
@@ -121,7 +121,7 @@ class PlanDocument(Input):
     """A plan file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[str, title_of("study")] = ""
+    title: Annotated[str, describe_title("study")] = ""
     case: Annotated[
         str,
         Word(

@@ -16,14 +16,14 @@ from nonhertz.amounts import amount, of_dimension
 from nonhertz.errors import CaseError, InputError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.documents import holds_plan, meant_as, named, opened, starting_text
-from nonhertz.files.held import Held, Origin
-from nonhertz.files.mistakes import case_error, in_order, path_of
-from nonhertz.files.paths import Parameter, drops_first, parameter, parameters
+from nonhertz.files.document import Document, Origin
+from nonhertz.files.mistakes import case_error, path_of, sort_by_place
+from nonhertz.files.paths import Parameter, drop_before_parameters, find_parameter, list_parameters
 from nonhertz.files.plan_document import PlanDocument
-from nonhertz.files.reading import read
+from nonhertz.files.reading import read_input
 from nonhertz.files.sampling import Sampling
-from nonhertz.files.spreads import Distribution, Spread, spread_in
+from nonhertz.files.spreads import Distribution, Spread, parse_spread
+from nonhertz.files.toml import file_kind, is_plan, load_document, name_file_in_errors, starting_text
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import check_list, is_number, one_of
 from nonhertz.inputs.files import printable_name, relative_path
@@ -60,16 +60,16 @@ class Template:
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
         """All values that it holds or could hold, by path."""
-        return parameters(self.document, (BearingCase if self.is_bearing else Case).contents)
+        return list_parameters(self.document, (BearingCase if self.is_bearing else Case).contents)
 
     def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return the document with other values, by path."""
         document = self.document
-        for path, value in drops_first(values):
+        for path, value in drop_before_parameters(values):
             document = self.known[path].put(document, value)
         return document
 
-    def varied(self, path: str, value: Any) -> Parameter:
+    def find_varied(self, path: str, value: Any) -> Parameter:
         """Return the parameter of a path that is varied.
 
         Raises
@@ -77,7 +77,7 @@ class Template:
         InputError
             If there is none, or the case gives the drop of a profile in its place.
         """
-        varied = parameter(path, self.known)
+        varied = find_parameter(path, self.known)
         drop = varied.drop_beside(self.document)
         if drop:
             condition = f"not be varied beside {drop}, which the case gives in its place"
@@ -111,7 +111,7 @@ class Template:
 
 
 @dataclass(frozen=True, repr=False)
-class Plan(Held):
+class Plan(Document):
     """A case or a bearing, and what of it is varied.
 
     Parameters
@@ -129,7 +129,7 @@ class Plan(Held):
     limits : mapping
         What quantities are to stay within in a tolerance study, such as ``{"max_pressure": "at most 3800 MPa"}``.
     title, path, origin
-        As of `Held`; the title of the case if there is none.
+        As of `Document`; the title of the case if there is none.
 
     Raises
     ------
@@ -175,7 +175,7 @@ class Plan(Held):
         object.__setattr__(self, "title", self.title or self.case.title)
         template = Template(self.case.document, self.case.path, isinstance(self.case, BearingCase))
         object.__setattr__(self, "template", template)
-        spreads = {path: self.tried(path, values) for path, values in self.over.items()}
+        spreads = {path: self.read_spread(path, values) for path, values in self.over.items()}
         object.__setattr__(self, "spreads", spreads)
 
     #: What each path runs over: values in its base unit, or a distribution.
@@ -202,27 +202,27 @@ class Plan(Held):
         CaseError
             With every mistake in the document.
         """
-        kind = meant_as(document)
-        if kind and not holds_plan(document):
+        kind = file_kind(document)
+        if kind and not is_plan(document):
             remedy = f"begin with one from 'nonhertz new --plan', and name the {kind} file in it"
             raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
         try:
-            contents = read(PlanDocument, document)
+            contents = read_input(PlanDocument, document)
         except InputError as error:
-            wrong = case_error(in_order(error.each, document))
+            wrong = case_error(sort_by_place(error.each, document))
             if "case" in wrong.places:
                 raise wrong from None
             try:
-                _case_of(document["case"], path, changes)
+                _read_case(document["case"], path, changes)
             except CaseError as other:
                 wrong = CaseError([*wrong.mistakes, *other.mistakes], [*wrong.places, *other.places])
             raise wrong from None
-        case = _case_of(contents.case, path, changes)
+        case = _read_case(contents.case, path, changes)
         bare, mistakes = Plan(case), []
         for section in TABLES:
             for varied, values in getattr(contents, section).items():
                 try:
-                    bare.tried(varied, values)
+                    bare.read_spread(varied, values)
                 except InputError as error:
                     mistakes.append(error.about(path_of(tuple(varied.split("."))), values).within(section))
         try:
@@ -232,7 +232,7 @@ class Plan(Held):
             mistakes.append(error)
         if mistakes:
             raise case_error(mistakes)
-        return plan.changed(over=getattr(contents, table))._held_in(Origin(document, text, (), path.parent))
+        return plan.changed(over=getattr(contents, table))._with_origin(Origin(document, text, (), path.parent))
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""
@@ -263,7 +263,7 @@ class Plan(Held):
         changes: dict[str, Any] = {name: value for name, value in parts.items() if value is not None}
         return replace(self, **changes) if changes else self
 
-    def tried(self, path: str, values: Any) -> Spread:
+    def read_spread(self, path: str, values: Any) -> Spread:
         """Return what a path runs over, if the case allows its ends.
 
         Raises
@@ -271,9 +271,9 @@ class Plan(Held):
         InputError
             As the class does.
         """
-        which = self.template.varied(path, values)
-        spread = spread_in(which, values, self.template.document)
-        for value in _extremes(spread):
+        which = self.template.find_varied(path, values)
+        spread = parse_spread(which, values, self.template.document)
+        for value in _values_to_try(spread):
             if self.template.is_unloaded({path: value}):
                 continue
             try:
@@ -285,14 +285,14 @@ class Plan(Held):
         return spread
 
 
-def _case_of(name: str, plan: Path, changes: Mapping[str, Any] | None) -> Case | BearingCase:
+def _read_case(name: str, plan: Path, changes: Mapping[str, Any] | None) -> Case | BearingCase:
     """Return the case or the bearing that a plan names; raise ``CaseError`` with every mistake in its file."""
     file = plan.parent / name
-    with named(file):
+    with name_file_in_errors(file):
         return read_any(file, changes)
 
 
-def _extremes(spread: Spread) -> Iterator[Any]:
+def _values_to_try(spread: Spread) -> Iterator[Any]:
     """Yield the values of a spread that are tried before the work starts."""
     if isinstance(spread, Distribution):
         yield from spread.ends
@@ -310,10 +310,10 @@ def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case
     CaseError
         With every mistake in the file.
     """
-    return case_or_bearing_in(*opened(path, "case", "bearing"), changes)
+    return parse_case_or_bearing(*load_document(path, "case", "bearing"), changes)
 
 
-def case_or_bearing_in(
+def parse_case_or_bearing(
     document: dict[str, Any], path: Path, text: str, changes: Mapping[str, Any] | None = None
 ) -> Case | BearingCase:
     """Return the case or the bearing in a document that has been parsed from a text, with other values by path.
@@ -323,7 +323,7 @@ def case_or_bearing_in(
     CaseError
         With every mistake in the document.
     """
-    kind = BearingCase if meant_as(document) == "bearing" else Case
+    kind = BearingCase if file_kind(document) == "bearing" else Case
     return kind.of(document, path, text, changes=changes)
 
 
@@ -345,7 +345,7 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
         If ``path`` is not the name of a file.
     """
     one_of("table", table, TABLES, "name the one that is meant")
-    return Plan.of(*opened(path, "plan"), table=table)
+    return Plan.of(*load_document(path, "plan"), table=table)
 
 
 def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path()) -> str:
@@ -358,13 +358,13 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
     if case is None:
         return text
     template = Template(case.document, case.path, isinstance(case, BearingCase))
-    numbers = dict(_numbers_in(template))
+    numbers = dict(_list_numbers(template))
     load = next(path for path in (*_LOADS, *numbers) if path in numbers)
     diameter = next((path for path in numbers if path.endswith(".diameter")), "")
     profile = next((path for path in numbers if ".profile" in path and template.known[path].unit == "mm"), "")
     turned = not template.is_bearing and "moment" not in case.prescribed.keywords
     name = relative_path(folder, case.path).as_posix()
-    around_load = _around(template, load, numbers[load], 0.25, 2.0)
+    around_load = _range_around(template, load, numbers[load], 0.25, 2.0)
     # What stands in place of a line of the text, up to its comment; None for nothing.
     own: dict[str, str | None] = {
         "title": f"title = {json.dumps(case.title, ensure_ascii=False)}",
@@ -378,11 +378,11 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
         half, whole = (f'"{of_dimension((part * numbers[load],), "N"):g}"' for part in (0.5, 1.0))
         own["loads"] = f'loads = [{{ load = {half} }}, {{ load = {whole}, tilt = "0.5 mrad" }}]'
     if profile:
-        bounds = _around(template, profile, numbers[profile], 0.2, 4.0)
+        bounds = _range_around(template, profile, numbers[profile], 0.2, 4.0)
         try:
-            Plan(case).tried(profile, f"{bounds} : 2")
+            Plan(case).read_spread(profile, f"{bounds} : 2")
         except InputError:  # such as a barrel, whose radius is nearly that of its ring
-            bounds = _around(template, profile, numbers[profile], 0.8, 1.2)
+            bounds = _range_around(template, profile, numbers[profile], 0.8, 1.2)
         own['"body.a.profile.amplitude"'] = f'"{profile}" = "{bounds}"'
     own |= {} if turned else {'"load.tilt"': None}
     lines = []
@@ -398,7 +398,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
     return (whole if designed else whole.partition(_DESIGN)[0]).rstrip() + "\n"
 
 
-def _numbers_in(template: Template) -> Iterator[tuple[str, float]]:
+def _list_numbers(template: Template) -> Iterator[tuple[str, float]]:
     """Yield path and value of the numbers with a unit that a document gives, none of them zero."""
     for path, known in template.known.items():
         value = known.value_in(template.document)
@@ -408,7 +408,7 @@ def _numbers_in(template: Template) -> Iterator[tuple[str, float]]:
                 yield path, number
 
 
-def _around(template: Template, path: str, value: float, low: float, high: float) -> str:
+def _range_around(template: Template, path: str, value: float, low: float, high: float) -> str:
     """Return a range around a number, from the lower to the higher value."""
     unit = template.known[path].unit or ""
     return " : ".join(f"{of_dimension((end,), unit):g}" for end in sorted((low * value, high * value)))
@@ -426,10 +426,10 @@ def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> t
     InputError
         If ``path`` is not the name of a file.
     """
-    return design_in(*opened(path, "plan"), changes)
+    return parse_design(*load_document(path, "plan"), changes)
 
 
-def design_in(
+def parse_design(
     document: dict[str, Any], path: Path, text: str | None = None, changes: Mapping[str, Any] | None = None
 ) -> tuple[Case, dict[str, Any]]:
     """Return the case of a plan in a document and what it says about a design.
@@ -443,5 +443,5 @@ def design_in(
     case = Plan.of(document, path, text, changes=changes).case
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
-    contents = read(PlanDocument, document)
+    contents = read_input(PlanDocument, document)
     return case, {"vary": contents.vary} | contents.design.keywords

@@ -17,15 +17,15 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import PROFILES
 from nonhertz.files.measured import KIND, MeasuredProfile
-from nonhertz.files.mistakes import missing, place_of
-from nonhertz.files.reading import BROKEN, Reading, Surroundings
+from nonhertz.files.mistakes import missing_key_error, place_of
+from nonhertz.files.reading import INVALID, ReadContext, TableReader
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.descriptions import Description, Flag, Quantity, Word, collect_errors, unknown_word_error
 from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.base import at_ends
-from nonhertz.model.profile.drop import AT_REMEDY, determined, off_the_middle, scaled_to_drop
+from nonhertz.model.profile.drop import AT_REMEDY, off_the_middle, parameter_from_drop, scaled_to_drop
 from nonhertz.model.profile.table import Interpolation
 
 _LIST_REMEDY = "write a list of tables such as [{ kind = 'crown', radius = 4000.0 }]"
@@ -97,7 +97,7 @@ class PointsFile(ProfileKind):
         return from_file(folder / self.file, self.interpolation)
 
 
-def _with_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
+def _add_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
     """Return what a table of a kind may hold: its parameters, and what every kind may have beside them."""
     around = Moves if cls is MeasuredProfile else Changes
     made: type[ProfileKind] = input_class(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
@@ -106,11 +106,11 @@ def _with_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
 
 
 #: What the tables of each kind hold.
-KINDS: Final = {word: _with_changes(cls) for word, cls in {**PARAMETERS, KIND: MeasuredProfile}.items()}
-_OF_FILE: Final = _with_changes(PointsFile)
+KINDS: Final = {word: _add_changes(cls) for word, cls in {**PARAMETERS, KIND: MeasuredProfile}.items()}
+_OF_FILE: Final = _add_changes(PointsFile)
 
 
-def read_profile(value: Any, body: Mapping[str, Any], file: Surroundings) -> Profile:
+def read_profile(value: Any, body: Mapping[str, Any], file: ReadContext) -> Profile:
     """Return the sum of the profiles in a list of tables, or the profile of one table.
 
     Parameters
@@ -119,7 +119,7 @@ def read_profile(value: Any, body: Mapping[str, Any], file: Surroundings) -> Pro
         What the case file holds.
     body : mapping
         The keys of the body that have been read so far; an invalid one is absent.
-    file : Surroundings
+    file : ReadContext
         Directory that file names are relative to, and the combined radius.
 
     Raises
@@ -165,14 +165,14 @@ def meaning_of(kind: str) -> str:
 
 
 def _dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
-    """Return the dimensions of a body that its profiles may need: each a number, None where it has none, or `BROKEN`.
+    """Return the dimensions of a body that its profiles may need: each a number, None where it has none, or `INVALID`.
 
     Parameters
     ----------
     body : mapping
         The keys of the body that have been read so far; an invalid one is absent.
     radius : object
-        Combined radius of both bodies across the contact [mm], None or `BROKEN`.
+        Combined radius of both bodies across the contact [mm], None or `INVALID`.
 
     Returns
     -------
@@ -180,14 +180,14 @@ def _dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
         ``length`` and ``diameter`` of the body, the length of its ``land`` between corners or within its effective
         length, the combined ``radius``, and ``at``, where its land ends, all in mm.
     """
-    length, diameter = body.get("length", BROKEN), body.get("diameter", BROKEN)
-    across = _across_the_axis(diameter, length) if isinstance(diameter, TabulatedDiameter) else diameter
+    length, diameter = body.get("length", INVALID), body.get("diameter", INVALID)
+    across = _diameter_normal_to_cone(diameter, length) if isinstance(diameter, TabulatedDiameter) else diameter
     at = _land_end(body)
     land = 2.0 * at if isinstance(at, float) else at
     return {"length": length, "land": land, "diameter": across, "radius": radius, "at": at}
 
 
-def _across_the_axis(diameter: TabulatedDiameter, length: Any) -> float:
+def _diameter_normal_to_cone(diameter: TabulatedDiameter, length: Any) -> float:
     """Return the diameter [mm] in the middle of a body, normal to the axis of its cone.
 
     A table holds twice the radius of curvature in the plane normal to the line of contact, which is the diameter
@@ -203,34 +203,34 @@ def _across_the_axis(diameter: TabulatedDiameter, length: Any) -> float:
 def _land_end(body: Mapping[str, Any]) -> Any:
     """Return where the corners of a body begin [mm] or, without any, where it can no longer touch."""
     names = ("length", "effective_length", "corner_radius", "chamfer")
-    length, effective, corner, chamfer = (body.get(name, BROKEN) for name in names)
-    if any(size is BROKEN for size in (length, effective, corner, chamfer)):
-        return BROKEN
+    length, effective, corner, chamfer = (body.get(name, INVALID) for name in names)
+    if any(size is INVALID for size in (length, effective, corner, chamfer)):
+        return INVALID
     whole = length if effective is None else effective
     if whole is None:
         return None
     taken = corner or (0.0 if chamfer is None else chamfer.length)
     # Corners that leave no land are a mistake of the body.
-    return 0.5 * whole - taken if 0.5 * whole > taken else BROKEN
+    return 0.5 * whole - taken if 0.5 * whole > taken else INVALID
 
 
-def _read_table(table: Any, body: Mapping[str, Any], file: Surroundings) -> Profile:
+def _read_table(table: Any, body: Mapping[str, Any], file: ReadContext) -> Profile:
     if not isinstance(table, dict):
         raise InputError("", table, "be a table", _LIST_REMEDY)
     if "kind" not in table:
-        raise missing("kind", "name the profile, such as kind = 'crown'")
+        raise missing_key_error("kind", "name the profile, such as kind = 'crown'")
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
         raise unknown_word_error("kind", kind, "profile", KINDS)
-    return _Table(kind, table, body, file).profile()
+    return _ProfileReader(kind, table, body, file).build_profile()
 
 
-class _Table(Reading):
+class _ProfileReader(TableReader):
     """A table that is being read, of whose parameters some are taken from the body, and a drop may determine one."""
 
     cls: type[ProfileKind]
 
-    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: Surroundings) -> None:
+    def __init__(self, kind: str, table: Mapping[str, Any], body: Mapping[str, Any], file: ReadContext) -> None:
         cls = _OF_FILE if kind == _TABULATED and "file" in table else KINDS[kind]
         known = tuple(name for name in cls.instead if name not in cls.descriptions)
         super().__init__(cls, {name: table[name] for name in table if name != "kind"}, file, (), known=known)
@@ -238,50 +238,52 @@ class _Table(Reading):
         # A drop at the end of the land is finite, so that a logarithm with it has to end farther out.
         self.kind, self.body = kind, {**body, "land": body["length"]} if self.by_drop else body
         #: What a drop determines.
-        self.free = determined(kind, {*self.table, *self.wrong}) if self.by_drop or "drop" in self.wrong else None
+        self.free = (
+            parameter_from_drop(kind, {*self.table, *self.wrong}) if self.by_drop or "drop" in self.wrong else None
+        )
 
     @property
     def own(self) -> dict[str, Any]:
         """The parameters of the kind that are good."""
         return {name: value for name, value in self.values.items() if name not in Changes.descriptions}
 
-    def profile(self) -> Profile:
+    def build_profile(self) -> Profile:
         """Return the profile, or raise `InputsError`."""
-        self.take_fields()
-        self.check_together(self.cls)
-        at = self._place() if self.by_drop else None
-        points = self._noting(self._points) if "file" in self.values else None
+        self.read_fields()
+        self.run_cross_checks(self.cls)
+        at = self._place_of_drop() if self.by_drop else None
+        points = self._catch_mistake(self._read_points) if "file" in self.values else None
         wrong = self.wrong | {place_of(mistake.field)[0] for mistake in self.mistakes}
-        blocked = wrong - {self.free, *Moves.descriptions} or at is BROKEN
-        profile = None if blocked else self._noting(lambda: self._made(points, at))
+        blocked = wrong - {self.free, *Moves.descriptions} or at is INVALID
+        profile = None if blocked else self._catch_mistake(lambda: self._make_profile(points, at))
         if profile is None or self.mistakes:
             raise InputsError(self.mistakes)
         return Moves(**{name: self.values[name] for name in Moves.descriptions if name in self.values}).of(profile)
 
-    def take_fields(self) -> None:
+    def read_fields(self) -> None:
         """Read every parameter that is given, and take the others from the body."""
-        super().take_fields()
+        super().read_fields()
         straight, length = self.values.get("straight", 0.0), self.values.get("length")
         # The curved part of a logarithmic profile is the body's land less the straight middle.
         if "length" not in self.table and length is not None and 0.0 <= straight < length:
             self.values["length"] = length - straight
 
-    def absent(self, name: str) -> None:
+    def note_missing(self, name: str) -> None:
         """Take a parameter from the body if that has it."""
         # Fujiwara and Kawase need a radius only where the relief at the end is not given.
         needed = name in self.cls.of_body and not (name == "radius" and (self.free == "zm" or "zm" in self.table))
         own = self.body.get(self.cls.of_body[name]) if needed else None
-        if name == self.free or own is BROKEN:
+        if name == self.free or own is INVALID:
             self.wrong.add(name)
         elif own is None:
-            super().absent(name)
+            super().note_missing(name)
         else:
             try:
                 self.values[name] = self.cls.descriptions[name].validate(name, own)
             except InputError as error:
                 self.note(error)
 
-    def way_out(self, name: str) -> str:
+    def hint(self, name: str) -> str:
         """Return what to do where a parameter is missing."""
         if self.kind == _TABULATED:
             return "give the lists y and relief, or a file"
@@ -289,7 +291,7 @@ class _Table(Reading):
         remedy = str(getattr(self.cls.descriptions[name], "remedy", ""))
         return remedy + (f", unless {has} one" if name in self.cls.of_body else "")
 
-    def _noting(self, make: Callable[[], Profile | None]) -> Profile | None:
+    def _catch_mistake(self, make: Callable[[], Profile | None]) -> Profile | None:
         """Return what is made, or note the mistake and return None."""
         try:
             return make()
@@ -297,7 +299,7 @@ class _Table(Reading):
             self.note(error)
         return None
 
-    def _made(self, points: Profile | None, at: Any) -> Profile:
+    def _make_profile(self, points: Profile | None, at: Any) -> Profile:
         if at is None:
             return points or CATALOGUE[self.kind](**self.own)
         drop = self.values["drop"]
@@ -305,7 +307,7 @@ class _Table(Reading):
             return scaled_to_drop(points, self.kind, drop, at)
         return with_drop(self.kind, drop, at, **self.own)
 
-    def _points(self) -> Profile | None:
+    def _read_points(self) -> Profile | None:
         name, measured = self.values["file"], self.kind == KIND
         if self.file.folder is None:
             raise InputError("file", name, "not be read here", _UPLOAD_REMEDY)
@@ -323,18 +325,18 @@ class _Table(Reading):
         except ValueError:  # not a valid file name, such as one with a null character
             raise InputError("file", name, "be the name of a file", "correct it") from None
 
-    def _place(self) -> Any:
-        """Return where the drop is [mm]; `BROKEN` if that is not known."""
+    def _place_of_drop(self) -> Any:
+        """Return where the drop is [mm]; `INVALID` if that is not known."""
         if self.free is None:
             condition = f"not be given together with {' and '.join(self.cls.by_drop)}"
             self.note(InputError("drop", self.table["drop"], condition, "leave one out"))
         length, at = self.body.get("length"), self.values.get("at", self.body.get("at"))
         if "at" in self.wrong:
-            return BROKEN
+            return INVALID
         if at is None:
             remedy = "give the place of the drop in mm, because the body has no length"
-            self.mistakes.append(missing("at", remedy))
-            return BROKEN
+            self.mistakes.append(missing_key_error("at", remedy))
+            return INVALID
         if isinstance(length, float) and isinstance(at, float):
             half = 0.5 * length
             at = float(at_ends(at, (-half, half)))

@@ -14,7 +14,7 @@ from types import MappingProxyType
 from typing import Any, Final, TypeVar
 
 from nonhertz.errors import InputError, InputsError, joined, nearest
-from nonhertz.files.mistakes import Place, missing, path_of, place_of
+from nonhertz.files.mistakes import Place, missing_key_error, path_of, place_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.descriptions import (
     Description,
@@ -32,13 +32,13 @@ AnyInput = TypeVar("AnyInput", bound=Input)
 Schema = dict[str, Any]
 _LAST_WORD = re.compile(r"[A-Z][a-z]*$")
 #: Stands for a value that a profile may need and that is itself invalid.
-BROKEN: Final = object()
+INVALID: Final = object()
 #: The class of an input whose table gives no kind, by its values.
 Likely = Callable[[Mapping[str, Any]], type[Input]]
 
 
 @dataclass(frozen=True)
-class Surroundings:
+class ReadContext:
     """What a table needs to know of its file.
 
     Attributes
@@ -46,20 +46,20 @@ class Surroundings:
     folder : Path or None
         Directory that the names of files are relative to; None where no file may be read.
     radius : object
-        Combined radius of both bodies across the contact [mm], for profiles; None or `BROKEN` where there is none.
+        Combined radius of both bodies across the contact [mm], for profiles; None or `INVALID` where there is none.
     read_profile : callable, optional
         Returns the profile of a body: from what stands in the file, the body's fields that are good, and this.
     """
 
     folder: Path | None = None
     radius: Any = None
-    read_profile: Callable[[Any, Mapping[str, Any], Surroundings], Profile] | None = None
+    read_profile: Callable[[Any, Mapping[str, Any], ReadContext], Profile] | None = None
 
 
-def read(
+def read_input(
     cls: type[AnyInput],
     table: Any,
-    file: Surroundings = Surroundings(),
+    file: ReadContext = ReadContext(),
     place: Place = (),
     likely: Likely | None = None,
 ) -> AnyInput:
@@ -71,7 +71,7 @@ def read(
         Its class; where that has kinds, what it is of where its kind is not known.
     table : object
         What the file holds.
-    file : Surroundings
+    file : ReadContext
         What else the file says.
     place : tuple
         Where the table is, for the ways out.
@@ -83,10 +83,10 @@ def read(
     InputsError
         With all mistakes, their fields relative to the table.
     """
-    return Reading(cls, section(table, place), file, place, likely=likely).made()  # type: ignore[return-value]
+    return TableReader(cls, check_table(table, place), file, place, likely=likely).build()  # type: ignore[return-value]
 
 
-def section(table: Any, place: Place) -> dict[str, Any]:
+def check_table(table: Any, place: Place) -> dict[str, Any]:
     """Return what should be a table.
 
     Raises
@@ -100,13 +100,13 @@ def section(table: Any, place: Place) -> dict[str, Any]:
     raise InputError("", table, "be a section", f"write it under a heading {heading}")
 
 
-class Reading:
+class TableReader:
     """A table that is being read: the values that are good, and the fields that are not.
 
     Parameters
     ----------
     cls, table, file, place, likely
-        As of `read`.
+        As of `read_input`.
     beside : mapping
         Fields that stand elsewhere in the file, and have been read; None for those that are wrong.
     known : sequence of str
@@ -117,7 +117,7 @@ class Reading:
         self,
         cls: type[Input],
         table: dict[str, Any],
-        file: Surroundings,
+        file: ReadContext,
         place: Place,
         *,
         likely: Likely | None = None,
@@ -134,13 +134,13 @@ class Reading:
         self.mistakes += (unknown_key_error(path_of((name,)), table[name], keys) for name in strange)
         # Someone who writes "lenght" has not forgotten the length.
         self.wrong |= {match for name in strange if (match := nearest(name, keys))}
-        self.named = self._named()
+        self.named = self._choose_class()
         #: Its fields, each with a class that has it.
         self.fields = every if self.named is None else dict.fromkeys(self.named.descriptions, self.named)
         foreign = [name for name in table if name in every and name not in self.fields]
-        self.mistakes += map(self._foreign, foreign)
+        self.mistakes += map(self._foreign_field_error, foreign)
 
-    def made(self) -> Input:
+    def build(self) -> Input:
         """Return the input.
 
         Raises
@@ -148,49 +148,49 @@ class Reading:
         InputsError
             With all mistakes.
         """
-        self.take_fields()
+        self.read_fields()
         word = self.table.get("kind")
         is_named = "kind" in self.table and bool(self.cls.kinds)
         made = self.named if is_named or self.named is None else (self.likely or self.cls.likely)(self.values)
         # Of an unknown kind there is no telling what goes together.
         if made is not None and (not is_named or (isinstance(word, str) and word in self.cls.kinds)):
-            self.check_together(made)
+            self.run_cross_checks(made)
         if self.mistakes or self.wrong or made is None:
             raise InputsError(self.mistakes)
         return made(**self.values)
 
-    def take_fields(self) -> None:
+    def read_fields(self) -> None:
         """Read every field that is given."""
         # What profiles leave out they take from their body, which is read before.
-        for name in sorted(self.fields, key=lambda name_: getattr(self._described(name_), "of", None) is Profile):
+        for name in sorted(self.fields, key=lambda name_: getattr(self._description(name_), "of", None) is Profile):
             if name in self.values:
                 continue
             if name not in self.table:
-                self.absent(name)
+                self.note_missing(name)
                 continue
             try:
-                value = self.value(name, self.table[name])
+                value = self.read_value(name, self.table[name])
             except InputError as error:
                 self.mistakes += error.within(name).each
                 self.wrong.add(name)
                 continue
             try:
-                self.values[name] = self._described(name).validate(name, value)
+                self.values[name] = self._description(name).validate(name, value)
             except InputError as error:
                 for mistake in error.each:
                     self.note(mistake if place_of(mistake.field)[0] == name else mistake.within(name))
 
-    def absent(self, name: str) -> None:
+    def note_missing(self, name: str) -> None:
         """Note a field that is not given, if it must be."""
         if name in (self.named or self.cls).without_default and name not in self.wrong:
-            self.mistakes.append(missing(name, self.way_out(name)))
+            self.mistakes.append(missing_key_error(name, self.hint(name)))
             self.wrong.add(name)
 
-    def value(self, name: str, written: Any) -> Any:
+    def read_value(self, name: str, written: Any) -> Any:
         """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
-        description, inner = self._described(name), self.fields[name].inputs.get(name)
+        description, inner = self._description(name), self.fields[name].inputs.get(name)
         if isinstance(description, Several) and description.of is not None:
-            return self._several(name, description, description.of, written)
+            return self._read_several(name, description, description.of, written)
         if self.file.read_profile is not None and getattr(description, "of", None) is Profile:
             body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
             return self.file.read_profile(written, body, self.file)
@@ -198,13 +198,13 @@ class Reading:
             raise InputError("", written, "be a name or a table", description.remedy)
         part = isinstance(description, Part) and not (description.named and isinstance(written, str))
         if inner and (isinstance(written, dict) or part):
-            return read(inner, written, self.file, (*self.place, name), getattr(description, "likely", None))
+            return read_input(inner, written, self.file, (*self.place, name), getattr(description, "likely", None))
         return written
 
-    def _described(self, name: str) -> Description:
+    def _description(self, name: str) -> Description:
         return self.fields[name].descriptions[name]
 
-    def check_together(self, made: type[Input]) -> None:
+    def run_cross_checks(self, made: type[Input]) -> None:
         """Make those checks whose fields are good."""
         for error in mutually_exclusive_errors(made, self.table):
             if error.field not in self.wrong:
@@ -228,31 +228,31 @@ class Reading:
         self.mistakes.append(error.about(error.field, shown))
         self.wrong.add(name)
 
-    def way_out(self, name: str) -> str:
+    def hint(self, name: str) -> str:
         """Return what to do where a field is missing."""
         inner = self.fields[name].inputs.get(name)
         if inner is None:
-            return f"give {describe_field(self._described(name))}"
+            return f"give {describe_field(self._description(name))}"
         needed = [part for part in sorted(inner.without_default) if part in inner.inputs]
         headings = [f"[{path_of((*self.place, name, part))}]" for part in needed]
         return "write it under a heading " + (" and ".join(headings) or f"[{path_of((*self.place, name))}]")
 
-    def _several(self, name: str, description: Several, of: type[Input], value: Any) -> Any:
+    def _read_several(self, name: str, description: Several, of: type[Input], value: Any) -> Any:
         if not isinstance(value, list) or not value:
             raise InputError("", value, "be a list of tables", description.item.remedy)
         if len(value) > description.most:
             raise InputError("", value, f"have at most {description.most} tables", description.item.remedy)
         place = (*self.place, name)
-        return collect_errors("", value, lambda number, entry: read(of, entry, self.file, (*place, number)))
+        return collect_errors("", value, lambda number, entry: read_input(of, entry, self.file, (*place, number)))
 
-    def _named(self) -> type[Input] | None:
+    def _choose_class(self) -> type[Input] | None:
         """Return the class by its word, or that of tables without one; None if it cannot be known."""
         usual = self.cls if not self.cls.kinds or self.cls in self.cls.kinds.values() else None
         if not self.cls.kinds:
             return self.cls
         if "kind" not in self.table:
             if usual is None and "kind" not in self.wrong:
-                self.mistakes.append(missing("kind", f"give {self.cls.meaning_of_kind}"))
+                self.mistakes.append(missing_key_error("kind", f"give {self.cls.meaning_of_kind}"))
             return usual
         word = self.table["kind"]
         if isinstance(word, str) and word in self.cls.kinds:
@@ -260,7 +260,7 @@ class Reading:
         self.mistakes.append(unknown_word_error("kind", word, f"kind of {self._noun}", self.cls.kinds))
         return usual
 
-    def _foreign(self, name: str) -> InputError:
+    def _foreign_field_error(self, name: str) -> InputError:
         """Return the error for a field that other kinds have."""
         words = joined(word for word, kind in self.cls.kinds.items() if name in kind.descriptions)
         condition = f"not be given for a {self.table['kind']} {self._noun}"

@@ -17,8 +17,8 @@ from nonhertz.errors import CaseError, InputError
 from nonhertz.files import contact_results
 from nonhertz.files.bounds import FORMAT
 from nonhertz.files.casefile import Case
-from nonhertz.files.documents import meant_as
 from nonhertz.files.folder import write_files
+from nonhertz.files.toml import file_kind
 from nonhertz.findings import Finding
 from nonhertz.inputs.assumed import restore_assumptions
 from nonhertz.inputs.files import read_bytes
@@ -174,7 +174,7 @@ def read_result(path: str | Path) -> Result:
         condition = f"hold a result of format {FORMAT}" + (f", not {shown!r}" if shown is not None else "")
         raise InputError("path", str(path), condition, f"{_WAY_OUT}, with this release")
     try:
-        if meant_as(contents["case"]) == "bearing":
+        if file_kind(contents["case"]) == "bearing":
             from nonhertz.files.bearingfile import BearingCase
 
             bearing = _with_assumptions(BearingCase.of(contents["case"], path, files=False), contents)

@@ -17,11 +17,11 @@ import numpy as np
 from nonhertz.bearing.shapes import Curve, Deviations, RingShape, Waves, tabulated_shape
 from nonhertz.errors import InputError
 from nonhertz.files.mistakes import Place
-from nonhertz.files.reading import Surroundings, read
+from nonhertz.files.reading import ReadContext, read_input
 from nonhertz.files.traces import LARGEST_FILE
 from nonhertz.files.traces.columns import read_columns
-from nonhertz.files.traces.line import Line, Request, of_length
-from nonhertz.files.traces.text import decoded
+from nonhertz.files.traces.line import Line, Request, check_length_unit
+from nonhertz.files.traces.text import decode
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.descriptions import Word, collect_errors
@@ -48,7 +48,8 @@ class ShapeFile(Input):
         str | None, Word("'deg' or 'rad', if the file does not say", "write 'deg' or 'rad'", tuple(_TO_RAD))
     ] = None
     deviation_unit: Annotated[
-        str | None, Word("unit of the deviations, if the file does not say", "write 'um' or 'mm'", condition=of_length)
+        str | None,
+        Word("unit of the deviations, if the file does not say", "write 'um' or 'mm'", condition=check_length_unit),
     ] = None
     curve: Annotated[Curve, Deviations.descriptions["curve"]] = "cubic"
 
@@ -101,17 +102,17 @@ def read_ring_shape(
     request = Request(name, position_unit="mm", height_unit=deviation_unit, sense="height")
     line = _columns([_STATED.sub("mm", line) for line in lines[:_HEAD]] + lines[_HEAD:], request)
     if not line.units_known[1]:
-        raise request.refuse("state the unit of its deviations", _UNIT_OF_DEVIATIONS)
+        raise request.error("state the unit of its deviations", _UNIT_OF_DEVIATIONS)
     known = np.isfinite(line.y) & np.isfinite(line.height)
-    angle = line.y[known] * _TO_RAD[angle_unit or _stated(lines, request)]
+    angle = line.y[known] * _TO_RAD[angle_unit or _find_angle_unit(lines, request)]
     try:
         return tabulated_shape(angle, line.height[known], curve)
     except InputError as error:
         condition = f"hold one turn of a ring ({error.field} = {error.value} must {error.condition})"
-        raise request.refuse(condition, error.remedy) from None
+        raise request.error(condition, error.remedy) from None
 
 
-def read_shape(value: Any, file: Surroundings, place: Place) -> RingShape:
+def read_shape(value: Any, file: ReadContext, place: Place) -> RingShape:
     """Return the shape in a table, or the sum of those in a list of tables.
 
     Raises
@@ -141,19 +142,19 @@ def shape_tables(name: str, shape: Any) -> Any:
     return tables[0] if len(tables) == 1 else tables
 
 
-def _read_one(value: Any, file: Surroundings, place: Place) -> RingShape:
+def _read_one(value: Any, file: ReadContext, place: Place) -> RingShape:
     if not isinstance(value, dict):
         raise InputError("", value, "be a table", _SHAPES)
     if "file" in value:
-        return _from_file(read(ShapeFile, value, file, place), file.folder)
+        return _read_file(read_input(ShapeFile, value, file, place), file.folder)
     if {"angle", "deviation"} & set(value):
-        return RingShape((read(Deviations, value, file, place),))
+        return RingShape((read_input(Deviations, value, file, place),))
     if value and "terms" not in value:
         raise InputError("", value, "have terms, or angle and deviation, or a file", _SHAPES)
-    return RingShape((read(Waves, value, file, place),))
+    return RingShape((read_input(Waves, value, file, place),))
 
 
-def _from_file(table: ShapeFile, folder: Path | None) -> RingShape:
+def _read_file(table: ShapeFile, folder: Path | None) -> RingShape:
     if folder is None:
         raise InputError("file", table.file, "not be read here", "write the angles and deviations into the file")
     options = {name: value for name, value in vars(table).items() if name != "file"}
@@ -170,7 +171,7 @@ def _lines(path: str | os.PathLike[str]) -> tuple[list[str], str]:
     data, name = read_input_file("path", path, LARGEST_FILE)
     if not data.strip():
         raise InputError("file", name, "not be empty", "write angle and deviation per line")
-    return decoded(data, name)[0], name
+    return decode(data, name)[0], name
 
 
 def _columns(lines: list[str], request: Request) -> Line:
@@ -180,13 +181,13 @@ def _columns(lines: list[str], request: Request) -> Line:
         if "_column" not in error.remedy:
             raise
         # Columns are not chosen here.
-        raise request.refuse("hold two columns, angle and deviation", "delete the others, or swap both") from None
+        raise request.error("hold two columns, angle and deviation", "delete the others, or swap both") from None
 
 
-def _stated(lines: list[str], request: Request) -> str:
+def _find_angle_unit(lines: list[str], request: Request) -> str:
     """Return the unit of the angles that a file states above its numbers."""
     for line in lines[:_HEAD]:
         match = _STATED.search(line)
         if match is not None:
             return "rad" if match[1] else "deg"
-    raise request.refuse("state the unit of its angles", _UNIT_OF_ANGLES)
+    raise request.error("state the unit of its angles", _UNIT_OF_ANGLES)

@@ -96,7 +96,7 @@ class Sampling(Input):
         blocks[:, -1] = second
         return blocks.reshape(-1, dimensions)
 
-    def drawn(self, distributions: Sequence[Distribution]) -> NDArray[np.float64]:
+    def draw(self, distributions: Sequence[Distribution]) -> NDArray[np.float64]:
         """Return samples of several distributions, shape (count, distributions)."""
         shares = np.clip(self.shares(len(distributions)), 1e-12, 1.0 - 1e-12)
         columns = [distribution.quantile(shares[:, k]) for k, distribution in enumerate(distributions)]

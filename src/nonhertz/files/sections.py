@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import FORMAT, LOADS, MISTAKES
 from nonhertz.files.profiles import read_profile
-from nonhertz.files.reading import BROKEN, Surroundings, read
+from nonhertz.files.reading import INVALID, ReadContext, read_input
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, one_line, positive
@@ -46,12 +46,12 @@ class Bodies(Input):
     def _check_contact(self) -> None:
         try:
             contact = Contact(self.a, self.b)
-            contact.curvature(sampled(contact.interval))
+            contact.curvature(sample_interval(contact.interval))
         except InputError as error:
-            raise of_both(error) from None
+            raise locate_body_error(error) from None
 
 
-def of_both(error: InputError) -> InputError:
+def locate_body_error(error: InputError) -> InputError:
     """Return an error about both bodies as one in the key of the body that has to change."""
     if error.field != "diameter" or not isinstance(error.value, tuple):
         return error.within("a" if error.field == "length" else "b")
@@ -67,7 +67,7 @@ def of_both(error: InputError) -> InputError:
     return InputError(f"{name}.diameter", diameters[name], f"{error.condition} with {against}", error.remedy)
 
 
-def surroundings(document: Any, folder: Path | None) -> Surroundings:
+def read_context(document: Any, folder: Path | None) -> ReadContext:
     """Return what the tables of a document need to know of it while they are read, whether it is valid or not.
 
     Parameters
@@ -79,7 +79,7 @@ def surroundings(document: Any, folder: Path | None) -> Surroundings:
     """
     bodies = document.get("body") if isinstance(document, dict) else None
     by_name = bodies if isinstance(bodies, dict) else {}
-    return Surroundings(folder, combined_radius(by_name.get("a"), by_name.get("b")), read_profile)
+    return ReadContext(folder, combined_radius(by_name.get("a"), by_name.get("b")), read_profile)
 
 
 def combined_radius(*bodies: Any) -> Any:
@@ -90,16 +90,16 @@ def combined_radius(*bodies: Any) -> Any:
     curvature = 0.0
     for body in bodies:
         if not isinstance(body, dict):
-            return BROKEN
+            return INVALID
         try:
             sizes = {name: body[name] for name in ("diameter",) if name in body}
-            curvature += float(read(Body, sizes, likely=lambda _: Body).curvature(0.0))
+            curvature += float(read_input(Body, sizes, likely=lambda _: Body).curvature(0.0))
         except InputError:
-            return BROKEN
+            return INVALID
     return 1.0 / curvature if curvature > 0.0 else None
 
 
-def sampled(interval: tuple[float, float]) -> NDArray[np.float64]:
+def sample_interval(interval: tuple[float, float]) -> NDArray[np.float64]:
     """Return positions at which to check a contact; the solver checks again at its own strips."""
     low, high = (min(max(end, -_FAR_AWAY), _FAR_AWAY) for end in interval)
     return np.linspace(low, high, 1001)
@@ -191,7 +191,7 @@ class OverrolledDent(Input):
         return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
 
 
-def _by(*names: str) -> Callable[[Life], bool]:
+def _uses_any(*names: str) -> Callable[[Life], bool]:
     """Return whether lives are asked by one of these models."""
     return lambda life: not life.models or not set(names).isdisjoint(life.models)
 
@@ -232,7 +232,7 @@ class Life(Input):
     slope: Annotated[
         float | None,
         Quantity("", "Weibull's slope e of the volume models, 9/8 if left out", weibull_slope, SLOPE_REMEDY),
-        Assumed("slope of 9/8", "lives by stressed volume", _by(*(set(MODELS) - {"iso-16281"}))),
+        Assumed("slope of 9/8", "lives by stressed volume", _uses_any(*(set(MODELS) - {"iso-16281"}))),
     ] = None
     fatigue_limit: Annotated[
         float | None,
@@ -242,7 +242,7 @@ class Life(Input):
             not_negative,
             "give a limit in MPa, 0 for none",
         ),
-        Assumed("usual fatigue limit of bearing steel", "the life by ioannides-harris", _by("ioannides-harris")),
+        Assumed("usual fatigue limit of bearing steel", "the life by ioannides-harris", _uses_any("ioannides-harris")),
     ] = None
     laminae: Annotated[
         int | None,
@@ -255,7 +255,7 @@ class Life(Input):
             "use 'pressure' for what was solved",
             EDGE_STRESS,
         ),
-        Assumed("edge stress as solved", "the life by iso-16281", _by("iso-16281")),
+        Assumed("edge stress as solved", "the life by iso-16281", _uses_any("iso-16281")),
     ] = None
     line_loads: Annotated[
         str | None,
@@ -264,7 +264,7 @@ class Life(Input):
             "use 'solution' for what was solved",
             LINE_LOADS,
         ),
-        Assumed("line loads as solved", "the life by iso-16281", _by("iso-16281")),
+        Assumed("line loads as solved", "the life by iso-16281", _uses_any("iso-16281")),
     ] = None
     required: Annotated[float | str | None, REQUIRED] = None
     spectrum: Annotated[
@@ -307,7 +307,7 @@ class Life(Input):
         """How many steps an assessment announces: both bodies under each load, and the dent."""
         return 2 * max(1, len(self.spectrum)) + (self.dent is not None)
 
-    def made_models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
+    def build_models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
         """Return models by name, each with the parameters that are given and that it takes.
 
         Parameters
@@ -341,7 +341,7 @@ FORMAT_FIELD = Custom(
 )
 
 
-def title_of(what: str) -> Word:
+def describe_title(what: str) -> Word:
     """Return what describes the title in a kind of file."""
     return Word(f"what the {what} is called in tables and figures", "write a short name", condition=one_line)
 
@@ -351,7 +351,7 @@ class CaseDocument(Input):
     """A case file."""
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
-    title: Annotated[str, title_of("case")] = ""
+    title: Annotated[str, describe_title("case")] = ""
     body: Annotated[Bodies, Part("the two bodies", Bodies, "give both")]
     load: Annotated[Prescription, Part("what presses them together", Prescription, "give it")]
     solver: Annotated[Solver, Part("how it is solved", Solver, "give a table")] = Solver()

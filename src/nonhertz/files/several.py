@@ -70,12 +70,12 @@ class Attempt:
         return _NOT_SOLVED if self.solution is None else self.solution.status.label
 
 
-def folders(attempts: Sequence[Attempt]) -> list[str]:
+def name_folders(attempts: Sequence[Attempt]) -> list[str]:
     """Return a name of its own for the folder of each case: that of its file, with a number where two have the same.
 
     Examples
     --------
-    >>> folders([Attempt(Path(name)) for name in ("a.toml", "b/A.toml", "a-2.toml", "...toml")])
+    >>> name_folders([Attempt(Path(name)) for name in ("a.toml", "b/A.toml", "a-2.toml", "...toml")])
     ['a', 'A-2', 'a-2-2', 'case']
     """
     names: list[str] = []

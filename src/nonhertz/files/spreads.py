@@ -154,7 +154,7 @@ class Distribution:
 Spread = tuple[Any, ...] | Distribution
 
 
-def spread_in(parameter: Parameter, value: Any, document: Mapping[str, Any]) -> Spread:
+def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) -> Spread:
     """Return what a parameter runs over: values in its base unit, or a distribution.
 
     Parameters
@@ -182,21 +182,21 @@ def spread_in(parameter: Parameter, value: Any, document: Mapping[str, Any]) -> 
         bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(value) or _DEVIATIONS.fullmatch(value))
         called = _CALL.fullmatch(f"uniform({value})" if bare and "(" not in value else value)
         if called is not None:
-            return _distribution(parameter, value, called, document)
+            return _parse_distribution(parameter, value, called, document)
         if ":" in value and parameter.unit is not None:
-            return _evenly(parameter, value)
+            return _parse_steps(parameter, value)
         # Of words a text is always a list; none of theirs has a comma.
-        return tuple(_value(parameter, word.strip(), bare=True) for word in value.split(","))
+        return tuple(_parse_value(parameter, word.strip(), bare=True) for word in value.split(","))
     if not isinstance(value, list | tuple) or not value:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
         raise InputError(parameter.path, value, "hold values", remedy)
     if len(value) > MOST_VALUES:
         remedy = "write fewer, or a distribution to draw from"
         raise InputError(parameter.path, f"{len(value)} values", f"have {MOST_VALUES} values at most", remedy)
-    return tuple(_entry(parameter, entry) for entry in value)
+    return tuple(_parse_entry(parameter, entry) for entry in value)
 
 
-def bounds_in(parameter: Parameter, value: Any) -> tuple[float, float]:
+def parse_bounds(parameter: Parameter, value: Any) -> tuple[float, float]:
     """Return the lowest and the highest value that a parameter may take.
 
     Raises
@@ -207,20 +207,20 @@ def bounds_in(parameter: Parameter, value: Any) -> tuple[float, float]:
     if parameter.unit is None or parameter.whole:
         raise InputError(parameter.path, value, "be a number that can change gradually", "sweep over its values")
     if isinstance(value, str):
-        low, high, count = range_in(parameter.path, value, parameter.unit, _example(parameter))
+        low, high, count = parse_range(parameter.path, value, parameter.unit, _example(parameter))
         if count is not None:
             raise InputError(parameter.path, value, "be a range without a number of values", "leave the number out")
         return low, high
     if not isinstance(value, Sequence) or len(value) != 2:
         remedy = f"write lowest and highest, such as '{_example(parameter)}'"
         raise InputError(parameter.path, value, "be a range", remedy)
-    low, high = (_entry(parameter, entry) for entry in value)
+    low, high = (_parse_entry(parameter, entry) for entry in value)
     if not low < high:
         raise InputError(parameter.path, value, "ascend", "give lowest and highest")
     return float(low), float(high)
 
 
-def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, float, int | None]:
+def parse_range(field: str, text: str, unit: str, example: str) -> tuple[float, float, int | None]:
     """Return the range that a text stands for: lowest, highest, and how many values there are if that is written.
 
     Parameters
@@ -241,7 +241,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, flo
 
     Examples
     --------
-    >>> range_in("load", "0 : 40 kN : 41", "N", "0:40kN")
+    >>> parse_range("load", "0 : 40 kN : 41", "N", "0:40kN")
     (0.0, 40000.0, 41)
     """
     parts = text.split(":")
@@ -249,7 +249,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, flo
     remedy = f"write lowest and highest {what} {example}, and if you like how many values, {example}:21"
     if len(parts) not in {2, 3}:
         raise InputError(field, text, "be a range", remedy)
-    low, high = (number_in(field, part, unit) for part in parts[:2])
+    low, high = (parse_number(field, part, unit) for part in parts[:2])
     if not low < high:
         condition = f"ascend, not go from {format_digits(low)} to {format_digits(high)} {unit}".rstrip()
         raise InputError(field, text, condition, remedy)
@@ -261,7 +261,7 @@ def range_in(field: str, text: str, unit: str, example: str) -> tuple[float, flo
     return low, high, int(count)
 
 
-def number_in(field: str, text: str, unit: str) -> float:
+def parse_number(field: str, text: str, unit: str) -> float:
     """Return a quantity that is written without quotes, in a unit; zero needs none, nor does a plain number.
 
     Raises
@@ -289,12 +289,12 @@ def number_in(field: str, text: str, unit: str) -> float:
         ) from None
 
 
-def _entry(parameter: Parameter, value: Any) -> Any:
+def _parse_entry(parameter: Parameter, value: Any) -> Any:
     """Return an entry of a list in the base unit; in it zero needs no unit in quotes either."""
-    return _value(parameter, value, bare=parameter.unit not in {None, ""})
+    return _parse_value(parameter, value, bare=parameter.unit not in {None, ""})
 
 
-def _value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
+def _parse_value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
     """Return a single value in the base unit; a word or a switch as it is, for the file's own checks.
 
     ``bare`` is a text without quotes of its own.
@@ -305,15 +305,15 @@ def _value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
         return written
     if parameter.unit is None:
         raise InputError(parameter.path, written, "be a word, or true or false", "give the path of a single value")
-    value = (number_in if bare and isinstance(written, str) else to_unit)(parameter.path, written, parameter.unit)
+    value = (parse_number if bare and isinstance(written, str) else to_unit)(parameter.path, written, parameter.unit)
     finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
 
 
-def _evenly(parameter: Parameter, text: str) -> tuple[float, ...]:
+def _parse_steps(parameter: Parameter, text: str) -> tuple[float, ...]:
     assert parameter.unit is not None
     example = _example(parameter)
-    low, high, count = range_in(parameter.path, text, parameter.unit, example)
+    low, high, count = parse_range(parameter.path, text, parameter.unit, example)
     if count is None:
         raise InputError(parameter.path, text, "say how many values", f"append them, such as {example}:21")
     values = np.linspace(low, high, count).tolist()
@@ -327,7 +327,9 @@ def _example(parameter: Parameter) -> str:
     return _EXAMPLES.get(parameter.unit or "", f"1 {parameter.unit}:2 {parameter.unit}")
 
 
-def _distribution(parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]) -> Distribution:
+def _parse_distribution(
+    parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]
+) -> Distribution:
     """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
     kind, inside, limits = called.groups()
     if parameter.unit is None or parameter.whole:
@@ -336,7 +338,7 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
         raise InputError(parameter.path, text, f"be one of {', '.join(DISTRIBUTIONS)}", "choose one of them")
     names = DISTRIBUTIONS[kind]
     parts = inside.split(",")
-    if (limits_of_drawing := _limits(parameter, inside, document)) is not None:
+    if (limits_of_drawing := _parse_limits(parameter, inside, document)) is not None:
         low, high = limits_of_drawing
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         by_kind: dict[str, tuple[float, ...]] = {"normal": (middle, half / AT_LIMITS), "uniform": (low, high)}
@@ -346,7 +348,7 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
         raise InputError(parameter.path, text, f"have {len(names)} numbers", remedy)
     else:
         given_numbers = tuple(_number(parameter, part, document) for part in parts)
-    within = None if limits is None else range_in(parameter.path, limits, parameter.unit, _example(parameter))[:2]
+    within = None if limits is None else parse_range(parameter.path, limits, parameter.unit, _example(parameter))[:2]
     try:
         return Distribution(kind, given_numbers, within)
     except InputError as error:
@@ -354,15 +356,15 @@ def _distribution(parameter: Parameter, text: str, called: re.Match[str], docume
         raise InputError(parameter.path, text, f"{named} {error.condition.removeprefix('be ')}", error.remedy) from None
 
 
-def _limits(parameter: Parameter, text: str, document: Mapping[str, Any]) -> tuple[float, float] | None:
+def _parse_limits(parameter: Parameter, text: str, document: Mapping[str, Any]) -> tuple[float, float] | None:
     """Return the limits of a text such as ``"80 mm +- 5 um"`` or ``"80 mm +12 um +1 um"``; None if it has none."""
     assert parameter.unit is not None
     if about := _PLUS_MINUS.fullmatch(text):
-        size = number_in(parameter.path, about["size"], parameter.unit)
+        size = parse_number(parameter.path, about["size"], parameter.unit)
         deviations = [-size, size]
     elif about := _DEVIATIONS.fullmatch(text):
         words = (about[name].replace("+", "", 1) for name in ("one", "other"))
-        deviations = sorted(number_in(parameter.path, word, parameter.unit) for word in words)
+        deviations = sorted(parse_number(parameter.path, word, parameter.unit) for word in words)
     else:
         return None
     centre = _number(parameter, (about["about"] or "").strip() or _NOMINAL, document)
@@ -372,7 +374,7 @@ def _limits(parameter: Parameter, text: str, document: Mapping[str, Any]) -> tup
 def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> float:
     assert parameter.unit is not None
     if text.strip() != _NOMINAL:
-        return number_in(parameter.path, text, parameter.unit)
+        return parse_number(parameter.path, text, parameter.unit)
     value = parameter.value_in(document)
     number = to_unit(parameter.path, value, parameter.unit) if value is not None else None
     if not isinstance(number, float):

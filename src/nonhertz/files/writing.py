@@ -10,7 +10,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.fields import Input, default_of
 from nonhertz.model.material import Material
 from nonhertz.model.materials import name_of
-from nonhertz.model.profile import Moved, Profile, Straight, Sum
+from nonhertz.model.profile import Profile, Straight, Sum, Transformed
 
 
 def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
@@ -78,7 +78,7 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
         return []
     if isinstance(profile, Sum):
         return [table for part in profile.parts for table in profile_tables(part)]
-    if isinstance(profile, Moved):
+    if isinstance(profile, Transformed):
         moves: dict[str, Any] = {"scale": profile.scale, "shift": profile.shift, "flip": profile.flip}
         if isinstance(profile.profile, Sum):
             return [table for part in profile.profile.parts for table in profile_tables(part.moved(**moves))]

@@ -130,7 +130,7 @@ def sharper_curvature(contact: Contact, y: Array) -> Array:
     return np.maximum(np.abs(contact.a.curvature_at(y)), np.abs(contact.b.curvature_at(y)))
 
 
-def derived(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> Derived:
+def get_or_compute(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> Derived:
     """Return what follows from a contact alone, worked out by ``make`` once and kept with it."""
     known = contact._derived
     if what not in known:

@@ -18,7 +18,7 @@ STEEL_EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing cata
 
 
 @dataclass(frozen=True)
-class Listed:
+class Entry:
     """A material of the library.
 
     Attributes
@@ -70,102 +70,102 @@ _VISCOELASTIC = (
 )
 
 #: All materials that have a name, in groups.
-LIBRARY: tuple[Listed, ...] = (
-    Listed("steel", "general", STEEL, _HANDBOOK),
-    Listed(
+LIBRARY: tuple[Entry, ...] = (
+    Entry("steel", "general", STEEL, _HANDBOOK),
+    Entry(
         "silicon-nitride", "general", Material(modulus=310000.0, poisson=0.26),
         f"{_HANDBOOK}; within ASTM F2094 for bearing balls, E = 270 to 330 GPa and nu = 0.23 to 0.29",
         density=3.2e-9, expansion=3.2e-6,
     ),
-    Listed(
+    Entry(
         "cast-iron", "general", Material(modulus=110000.0, poisson=0.26), _HANDBOOK,
         density=7.2e-9, expansion=11.4e-6,
     ),
-    Listed("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK, density=8.8e-9, expansion=18e-6),
-    Listed("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK, density=2.7e-9, expansion=23e-6),
-    Listed(
+    Entry("bronze", "general", Material(modulus=110000.0, poisson=0.34), _HANDBOOK, density=8.8e-9, expansion=18e-6),
+    Entry("aluminium", "general", Material(modulus=70000.0, poisson=0.33), _HANDBOOK, density=2.7e-9, expansion=23e-6),
+    Entry(
         "100Cr6", "bearing and stainless steels",
         Material(modulus=210000.0, poisson=0.3, hardness="58 HRC", pressure_limit=4000.0),
         "ISO 683-17 (grade); E, and hardness from 58 to 65 HRC: SKF, Rolling bearings, materials; nu of steel; largest "
         "pressure in roller bearings: ISO 76",
         _THROUGH, ("52100",),
     ),
-    Listed(
+    Entry(
         "X105CrMo17", "bearing and stainless steels",
         Material(modulus=200000.0, poisson=0.3, yield_strength=1900.0, hardness="59 HRC"),
         "Atlas Steels, data sheet of grade 440C, tempered at 204 °C; nu of steel",
         "tempered at 371 °C its yield strength is 1660 MPa", ("440C", "1.4125"), expansion=10.1e-6,
     ),
-    Listed(
+    Entry(
         "16MnCr5", "case-hardening steels",
         Material(modulus=206000.0, poisson=0.3, core_yield_strength=590.0, hardness="58 HRC"),
         f"{_GEAR_STEEL}; core, least of a bar of 30 mm: DIN 17210 (1986)", _CASE,
     ),
-    Listed(
+    Entry(
         "18CrNiMo7-6", "case-hardening steels",
         Material(modulus=206000.0, poisson=0.3, core_yield_strength=785.0, hardness="58 HRC"),
         f"{_GEAR_STEEL}; core, least of a bar of 30 mm of 17CrNiMo6: DIN 17210 (1986)", _CASE,
     ),
-    Listed("R260", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="260 HBW"), _RAIL, _UNSTATED),
-    Listed("R350HT", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="350 HBW"), _RAIL, _UNSTATED),
-    Listed(
+    Entry("R260", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="260 HBW"), _RAIL, _UNSTATED),
+    Entry("R350HT", "rail steels", Material(modulus=210000.0, poisson=0.3, hardness="350 HBW"), _RAIL, _UNSTATED),
+    Entry(
         "EN-GJL-250", "cast irons", Material(modulus=110000.0, poisson=0.26, yield_strength=165.0),
         "EN 1561, informative annex: E = 103 to 118 GPa, nu = 0.26, 0.1 % proof strength 165 to 228 MPa", _FLAKES,
         density=7.2e-9, expansion=11.4e-6,
     ),
-    Listed(
+    Entry(
         "EN-GJS-400-15", "cast irons", Material(169000.0, 0.275, yield_strength=250.0), _DUCTILE,
         density=7.1e-9, expansion=11.2e-6,
     ),
-    Listed(
+    Entry(
         "EN-GJS-500-7", "cast irons", Material(169000.0, 0.275, yield_strength=320.0), _DUCTILE,
         density=7.1e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "EN-GJS-600-3", "cast irons", Material(174000.0, 0.275, yield_strength=370.0), _DUCTILE,
         density=7.2e-9, expansion=10.6e-6,
     ),
-    Listed(
+    Entry(
         "EN-GJS-700-2", "cast irons", Material(176000.0, 0.275, yield_strength=420.0), _DUCTILE,
         density=7.2e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "CuSn11P-C", "copper and aluminium",
         Material(modulus=100000.0, poisson=0.34, yield_strength=130.0, hardness="60 HBW"),
         "EN 1982, cast in sand: 0.2 % proof strength and hardness; E = 90 to 110 GPa: Kemper, data sheet of "
         "CuSn11P-C - GS; nu of bronze",
         others=("CC481K",), density=8.7e-9, expansion=18e-6,
     ),
-    Listed(
+    Entry(
         "EN-AW-6082-T6", "copper and aluminium", Material(modulus=70000.0, poisson=0.3, yield_strength=250.0),
         "EN 1999-1-1: E and nu, and the 0.2 % proof strength of extrusions up to 5 mm thick",
         density=2.7e-9, expansion=23e-6,
     ),
-    Listed(
+    Entry(
         "alumina", "ceramics", Material(modulus=416000.0, poisson=0.231),
         "R. G. Munro, Evaluated material properties for a sintered alpha-alumina, Journal of the American Ceramic "
         "Society 80 (1997) 1919",
         "brittle: it cracks instead of yielding; of at least 99.5 % purity and 98 % density",
         density=3.98e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "zirconia", "ceramics", Material(modulus=210000.0, poisson=0.3, hardness="1200 HV"),
         "E and hardness of Y-TZP: C. Piconi, G. Maccauro, Zirconia as a ceramic biomaterial, Biomaterials 20 (1999) 1; "
         "nu: makers' data sheets",
         "brittle: it cracks instead of yielding", density=6.05e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "POM", "polymers", Material(modulus=3100.0, poisson=0.35, yield_strength=70.0),
         "DuPont, Delrin 500P: data sheet by ISO 527; nu: Delrin design guide", _VISCOELASTIC,
         density=1.42e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "PA66", "polymers", Material(modulus=1400.0, poisson=0.41, yield_strength=55.0),
         "DuPont, Zytel 103HSL, conditioned: data sheet by ISO 527; nu: Zytel design guide",
         f"{_VISCOELASTIC}; dry as moulded its E is 3100 MPa and its yield strength 85 MPa",
         density=1.14e-9, expansion=None,
     ),
-    Listed(
+    Entry(
         "PEEK", "polymers", Material(modulus=4000.0, poisson=0.4, yield_strength=98.0),
         "Victrex, PEEK 450G: data sheet by ISO 527; nu: Victrex properties guide", _VISCOELASTIC,
         density=1.3e-9, expansion=None,
@@ -198,7 +198,7 @@ NamedMaterial = Annotated[
 ]
 
 
-def listed_as(name: str) -> Listed:
+def find_entry(name: str) -> Entry:
     """Return the entry of the library with this name.
 
     Raises
@@ -230,7 +230,7 @@ def expansion_of(material: Material) -> float | None:
     return entry.expansion if entry else STEEL_EXPANSION if _as_stiff_as_steel(material) else None
 
 
-def _entry_of(material: Material) -> Listed | None:
+def _entry_of(material: Material) -> Entry | None:
     """Return the entry of the library, or one that has the same stiffness and hardness."""
 
     def known(of: Material) -> tuple[object, ...]:

@@ -127,7 +127,7 @@ def outline_of(body: Body) -> tuple[Outline, float]:
     z = np.array(sorted(points))
     curvature = body.curvature(z + middle)
     if not np.all(curvature > 0.0):
-        raise _not_whole(body, "only be used for a body that is convex everywhere")
+        raise _not_whole_error(body, "only be used for a body that is convex everywhere")
     inner_diameter = body.bore if body.bore is not None else 0.0
     bore = inner_diameter(z) if callable(inner_diameter) else np.full(z.shape, inner_diameter)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
@@ -141,23 +141,25 @@ def outline_of(body: Body) -> tuple[Outline, float]:
 def refuse_unless_whole(body: Body) -> None:
     """Refuse a body that is no roller with free ends."""
     if body.length is None or not all(body.free_faces):
-        raise _not_whole(body, "only be used for a body with two free side faces", "write side_faces = 'free', or ")
+        raise _not_whole_error(
+            body, "only be used for a body with two free side faces", "write side_faces = 'free', or "
+        )
     if body.images != 1:
         raise InputError("images", body.images, "be 1 where depth = 'finite', which has them all", "leave it out")
     outline, radius = body.outline
     slenderness = outline.half_length
     if not _SHORTEST <= slenderness <= _LONGEST:
         condition = f"only be used for a length of {_SHORTEST:g} to {_LONGEST:g} diameters, not {slenderness:.3g}"
-        raise _not_whole(body, condition, wall=outline.wall * radius)
+        raise _not_whole_error(body, condition, wall=outline.wall * radius)
     if outline.steepest > _STEEPEST:
         condition = f"only be used where the radius changes by less than {_STEEPEST:g} of the way along the axis"
-        raise _not_whole(body, condition, wall=outline.wall * radius)
+        raise _not_whole_error(body, condition, wall=outline.wall * radius)
     if outline.wall < _THINNEST:
         condition = f"leave a wall of {_THINNEST:g} times the radius at least, not {mm(outline.wall * radius):.3g}"
         raise InputError("bore", body.bore, condition, "reduce the bore")
 
 
-def _not_whole(body: Body, condition: str, first: str = "", wall: float | None = None) -> InputError:
+def _not_whole_error(body: Body, condition: str, first: str = "", wall: float | None = None) -> InputError:
     """Return the error for a body that cannot deform as a whole: about its bore, which needs that, if it has one."""
     if body.bore is None:
         return InputError("depth", "finite", condition, f"{first}write depth = 'plane-strain'")

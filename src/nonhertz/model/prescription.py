@@ -12,7 +12,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import above_zero, finite
 from nonhertz.inputs.descriptions import Quantity
 from nonhertz.inputs.fields import Input, cross_check, input_class
-from nonhertz.model.contact import Contact, derived
+from nonhertz.model.contact import Contact, get_or_compute
 
 # Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
 # is lost in the rounding of the relief beside it; strips and cells solved 14 contacts of all shapes down to 1e-22. At
@@ -98,7 +98,7 @@ class Prescription(Input):
 
 def loads_between(contact: Contact) -> tuple[float, float]:
     """Return the smallest and the largest load [N] for which bodies of this size and stiffness can be solved."""
-    return derived(contact, "loads between", lambda: _loads_between(contact))
+    return get_or_compute(contact, "loads between", lambda: _loads_between(contact))
 
 
 def _loads_between(contact: Contact) -> tuple[float, float]:

@@ -25,7 +25,7 @@ from nonhertz.model.body import BODIES, Body
 from nonhertz.model.material import Material
 from nonhertz.model.materials import name_of
 from nonhertz.model.profile import CATALOGUE
-from nonhertz.model.profile.drop import determined
+from nonhertz.model.profile.drop import parameter_from_drop
 from nonhertz.report.method import formula, source
 from nonhertz.show.sections import Cell
 
@@ -209,7 +209,7 @@ def _profile(
         if isinstance(value, str) and begins_with_digits(value) and unit_of(key.description):
             value = to_unit(name, value, unit_of(key.description))
         if value is not None:
-            dropped = "; from the drop" if "drop" in own and name == determined(kind, own) else ""
+            dropped = "; from the drop" if "drop" in own and name == parameter_from_drop(kind, own) else ""
             yield _entry(f"{place}.{name}", value, key, own, dropped)
     words = " Source: ".join(filter(None, (formula(function), source(function))))
     if words:

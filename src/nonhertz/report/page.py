@@ -9,7 +9,7 @@ from nonhertz.amounts import display_units
 from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
-from nonhertz.files.measured import KIND, checked, measured_in
+from nonhertz.files.measured import KIND, read_measured, validate_key
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
@@ -198,8 +198,8 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
         for number, table in enumerate(profile_tables(body), start=1):
             content, file = case.attachments.get(str(table.get("file"))), table.get("file")
             if table.get("kind") == KIND and content is not None:
-                values = {key: checked(key, value) for key, value in table.items() if key != "kind"}
-                measured = measured_in(content, values, file)
+                values = {key: validate_key(key, value) for key, value in table.items() if key != "kind"}
+                measured = read_measured(content, values, file)
                 rows = measured_shown.rows(measured)
                 caption = f"From the measured points of {file} to the profile, step by step."
                 picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))

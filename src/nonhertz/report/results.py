@@ -11,12 +11,12 @@ from typing import TypeVar
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.files.bearingfile import BearingCase, placed
+from nonhertz.files.bearingfile import BearingCase, with_file_path
 from nonhertz.files.casefile import Case
-from nonhertz.files.documents import named
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
 from nonhertz.files.stresses import all_findings
+from nonhertz.files.toml import name_file_in_errors
 from nonhertz.findings import sentences
 from nonhertz.inputs.files import printable_name
 from nonhertz.result.solution import Solution
@@ -181,7 +181,7 @@ def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: C
     places: list[str] = []
     for each in given:
         try:
-            with named(name(each)) if len(given) > 1 else contextlib.nullcontext():
+            with name_file_in_errors(name(each)) if len(given) > 1 else contextlib.nullcontext():
                 made.append(make(each))
         except CaseError as error:
             mistakes += error.mistakes
@@ -201,7 +201,7 @@ def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved
-            raise placed(error, document=case.document) from None
+            raise with_file_path(error, document=case.document) from None
 
 
 def examined(

@@ -14,7 +14,7 @@ import numpy as np
 
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.files.casefile import Case, placed
+from nonhertz.files.casefile import Case, with_file_path
 from nonhertz.files.lives import Assessment
 from nonhertz.findings import finding
 from nonhertz.inputs.assumed import collect_assumptions
@@ -174,7 +174,7 @@ def _in_the_words_of_the_file() -> Iterator[None]:
         try:
             yield
         except InputError as error:
-            raise placed(error) from None
+            raise with_file_path(error) from None
 
 
 def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:

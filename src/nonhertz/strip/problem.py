@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from nonhertz.bodies.influence import Influence, influence_of
-from nonhertz.model.contact import Contact, derived
+from nonhertz.model.contact import Contact, get_or_compute
 from nonhertz.native import core
 from nonhertz.strip.element import Element
 from nonhertz.strip.model import model_of
@@ -35,7 +35,7 @@ class StripModel:
     def of(cls, contact: Contact, element: Element) -> StripModel:
         """Return the model of a contact, which is kept with it."""
         # Of a twin: a contact that is kept by what it keeps would stay until Python looks for cycles.
-        return derived(contact, (cls, id(element)), lambda: cls(replace(contact), element))
+        return get_or_compute(contact, (cls, id(element)), lambda: cls(replace(contact), element))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return StripModel, (self.contact, self.element)

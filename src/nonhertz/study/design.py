@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from nonhertz.amounts import describe_load, format_digits, of_dimension
 from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
-from nonhertz.files.free_forms import free_form_in
+from nonhertz.files.free_forms import parse_free_form
 from nonhertz.files.planfile import Template, read_design
-from nonhertz.files.spreads import bounds_in
+from nonhertz.files.spreads import parse_bounds
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.lazy import dir_of
@@ -460,12 +460,12 @@ def _mapping(name: str, value: object) -> Mapping[str, Any]:
 def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
     found: list[Variable] = []
     for path, given in _mapping("vary", vary).items():
-        which = template.varied(path, given)
-        form = free_form_in(path, given)
+        which = template.find_varied(path, given)
+        form = parse_free_form(path, given)
         if form is not None:
             found += [Variable(path, 0.0, 1.0, form)] * form.knots
             continue
-        found.append(Variable(path, *bounds_in(which, given)))
+        found.append(Variable(path, *parse_bounds(which, given)))
         for end in (found[-1].low, found[-1].high):
             try:
                 template.case({path: end})

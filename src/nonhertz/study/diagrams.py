@@ -17,9 +17,9 @@ from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.errors import InputError
 from nonhertz.figures.value import Across, Axis, Figure, Line, Mark, Panel, Points, Span
 from nonhertz.files.bearingfile import BearingCase, read_bearing
-from nonhertz.files.paths import Parameter, parameter
+from nonhertz.files.paths import Parameter, find_parameter
 from nonhertz.files.planfile import Plan
-from nonhertz.files.spreads import number_in
+from nonhertz.files.spreads import parse_number
 from nonhertz.files.studies import DIAGRAM, as_text
 from nonhertz.inputs.checks import is_number
 from nonhertz.plot import save_all
@@ -247,7 +247,7 @@ def _path(word: str, plan: Plan) -> str:
         word = {"load": "radial"}.get(word, word)
         tables = (table for table in TABLES if table != _PAIR or "pair" in document.get("bearing", {}))
         word = next((table + word for table in tables if table + word in known), word)
-    return parameter(word, known).path
+    return find_parameter(word, known).path
 
 
 def _value(read: Parameter, document: Mapping[str, Any]) -> float | None:
@@ -255,5 +255,5 @@ def _value(read: Parameter, document: Mapping[str, Any]) -> float | None:
     given = read.value_in(document)
     if isinstance(given, str):
         with contextlib.suppress(InputError):
-            return number_in(read.path, given, read.unit or "")
+            return parse_number(read.path, given, read.unit or "")
     return float(given) if is_number(given) else None

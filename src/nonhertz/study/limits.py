@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.files.spreads import number_in
+from nonhertz.files.spreads import parse_number
 from nonhertz.inputs.descriptions import unknown_key_error
 from nonhertz.result.quantities import Quantity
 
@@ -70,7 +70,7 @@ def limits_in(limits: Mapping[str, Any], known: Mapping[str, Quantity]) -> tuple
             raise InputError(str(name), given, "begin with 'at most' or 'at least'", remedy)
         unit = known[name].unit
         unit = unit if unit in {"mm", "N", "MPa", "rad", "N mm"} else ""
-        number = number_in(str(name), str(given).strip().removeprefix(kind), unit)
+        number = parse_number(str(name), str(given).strip().removeprefix(kind), unit)
         if number == 0.0:
             raise InputError(str(name), given, "not be zero", "give a number that a margin can be taken of")
         found.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))

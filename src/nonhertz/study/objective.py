@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import NonhertzError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
-from nonhertz.files.paths import drops_first
+from nonhertz.files.paths import drop_before_parameters
 from nonhertz.files.planfile import Template
 from nonhertz.life import LoadCase, Model
 from nonhertz.model.contact import Contact
@@ -123,7 +123,7 @@ class Task:
     def document(self, x: Array) -> dict[str, Any]:
         """Return the document of the case at a point."""
         document, forms = self.template.document, {each.path: each.form for each in self.variables}
-        for path, value in drops_first(self.values(x)):
+        for path, value in drop_before_parameters(self.values(x)):
             parameter, form = self.template.known[path], forms[path]
             given = value if form is None else form.tables(document, parameter.keys, value)
             document = parameter.put(document, given)

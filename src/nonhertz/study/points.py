@@ -65,7 +65,7 @@ class Points:
 
     @cached_property
     def _samples(self) -> Array:
-        return self.sampling.drawn(self.distributions)
+        return self.sampling.draw(self.distributions)
 
     @cached_property
     def _order(self) -> tuple[int, ...]:

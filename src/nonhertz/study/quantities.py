@@ -24,7 +24,7 @@ LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volu
 
 def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
     """Return the life of one body by the model of a name: of the one that has a raceway, else of body a."""
-    (model,) = case.life.made_models((name,))
+    (model,) = case.life.build_models((name,))
     given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
     lives = [assess(solved, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
     return next((life for life in lives if life.million_revolutions is not None), lives[0])

@@ -20,7 +20,7 @@ import numpy as np
 from nonhertz.bearing.quantities import SolvedBearing
 from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.casefile import Case, placed
+from nonhertz.files.casefile import Case, with_file_path
 from nonhertz.files.planfile import LOAD, Template
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
@@ -170,7 +170,7 @@ class Work:
         return Row(tuple(known.get(quantity.name, math.nan) for quantity in self.quantities))
 
     def _failed(self, error: Exception) -> Row:
-        sentence = str(placed(error)) if isinstance(error, InputError) else str(error)
+        sentence = str(with_file_path(error)) if isinstance(error, InputError) else str(error)
         return Row((math.nan,) * len(self.quantities), " ".join(sentence.split()))
 
     @contextlib.contextmanager

@@ -8,8 +8,8 @@ from typing import Any, Final
 
 from nonhertz.errors import InputError
 from nonhertz.files.bounds import walk
-from nonhertz.files.documents import OF_BEARINGS
 from nonhertz.files.mistakes import Place, case_error, path_of
+from nonhertz.files.toml import OF_BEARINGS
 
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024

@@ -13,11 +13,11 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.errors import InputError, joined
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.catalogue import commented, guessed_document
-from nonhertz.files.documents import parsed
 from nonhertz.files.rexs import attributes as table
 from nonhertz.files.rexs.attributes import Attribute, array_of, number_of, word_of
 from nonhertz.files.rexs.loading import read_loading
 from nonhertz.files.rexs.model import Attributes, Model, read_model
+from nonhertz.files.toml import parse
 from nonhertz.inputs.files import printable_name
 from nonhertz.model.materials import MATERIALS
 
@@ -59,7 +59,7 @@ def read_rexs(path: str | Path, component: int | None = None) -> BearingCase:
         If what it says of the bearing makes none.
     """
     text = bearing_file_of_rexs(path, component)
-    return BearingCase.of(parsed(text, str(path)), Path(path).with_suffix(".toml"), text, files=False)
+    return BearingCase.of(parse(text, str(path)), Path(path).with_suffix(".toml"), text, files=False)
 
 
 def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
@@ -77,7 +77,7 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
     except (ArithmeticError, AttributeError, KeyError, TypeError) as error:  # of what REST holds
         condition = f"hold what {table.REST} of this program does ({type(error).__name__})"
         raise InputError("rexs", name, condition, "remove that attribute, or write the file anew") from None
-    BearingCase.of(parsed(text, str(path)), Path(path), files=False)  # raises what is wrong with it
+    BearingCase.of(parse(text, str(path)), Path(path), files=False)  # raises what is wrong with it
     return text
 
 

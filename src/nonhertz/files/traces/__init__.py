@@ -11,12 +11,12 @@ import os
 
 from nonhertz.errors import InputError
 from nonhertz.files.traces.columns import read_columns
-from nonhertz.files.traces.heights import heights_alone, read_heights
-from nonhertz.files.traces.line import Line, Request, made
+from nonhertz.files.traces.heights import find_heights, read_heights
+from nonhertz.files.traces.line import Line, Request, build_trace
 from nonhertz.files.traces.mahr import is_marwin, read_marwin
 from nonhertz.files.traces.records import is_records, read_records
 from nonhertz.files.traces.sheets import is_workbook, lines_of_workbook
-from nonhertz.files.traces.text import decoded
+from nonhertz.files.traces.text import decode
 from nonhertz.files.traces.x3p import is_container, read_container
 from nonhertz.inputs.files import read_input_file
 from nonhertz.inputs.units import to_unit
@@ -85,17 +85,17 @@ def read_trace(
     data, name = _content(source, name)
     length = to_unit("step", step, "mm")
     request = Request(name, position_unit, height_unit, position_column, height_column, sense, length)
-    return made(_line(data, request), request)
+    return build_trace(_line(data, request), request)
 
 
 def _content(source: str | os.PathLike[str] | bytes, name: str | None) -> tuple[bytes, str]:
     if isinstance(source, bytes):
-        return _bounded(source, name or "the measured profile"), name or "the measured profile"
+        return _check_bounds(source, name or "the measured profile"), name or "the measured profile"
     data, own = read_input_file("file", source, LARGEST_FILE)
-    return _bounded(data, name or own), name or own
+    return _check_bounds(data, name or own), name or own
 
 
-def _bounded(data: bytes, name: str) -> bytes:
+def _check_bounds(data: bytes, name: str) -> bytes:
     if len(data) > LARGEST_FILE:
         condition = f"be no larger than {LARGEST_FILE // 1_000_000} MB"
         raise InputError("file", name, condition, "export fewer points; a few thousand are enough")
@@ -107,17 +107,17 @@ def _bounded(data: bytes, name: str) -> bytes:
 def _line(data: bytes, request: Request) -> Line:
     if is_workbook(data):
         lines, notes = lines_of_workbook(data, request)
-        return _of_text(lines, request).noted(*notes)
+        return _read_text(lines, request).noted(*notes)
     if is_container(data):
         return read_container(data, request)
     if is_records(data):
         return read_records(data, request)
-    lines, notes = decoded(data, request.name)
+    lines, notes = decode(data, request.name)
     if is_marwin(lines):
         return read_marwin(lines, request).noted(*notes)
-    return _of_text(lines, request).noted(*notes)
+    return _read_text(lines, request).noted(*notes)
 
 
-def _of_text(lines: list[str], request: Request) -> Line:
-    heights = heights_alone(lines, request)
+def _read_text(lines: list[str], request: Request) -> Line:
+    heights = find_heights(lines, request)
     return read_columns(lines, request) if heights is None else read_heights(heights, request)

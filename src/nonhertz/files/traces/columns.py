@@ -16,18 +16,18 @@ from itertools import islice
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.files.traces.dialects import stated_by
+from nonhertz.files.traces.dialects import read_dialect
 from nonhertz.files.traces.heads import (
     cells_of,
-    column_called,
+    count_lines,
     counts_drop,
-    lines_have,
-    listed,
+    find_column,
+    list_names,
     names_of_columns,
-    shown,
+    quote,
     units_of_columns,
 )
-from nonhertz.files.traces.line import MOST_POINTS, Line, Request, in_mm
+from nonhertz.files.traces.line import MOST_POINTS, Line, Request, length_factor
 from nonhertz.files.traces.text import COMMENT, LONGEST_HEAD, MARK, NOT_MEASURED, SAMPLED, value_in, without_comment
 from nonhertz.measured.trace import Array
 
@@ -131,38 +131,38 @@ def read_columns(lines: Sequence[str], request: Request) -> Line:
     """
     written = [(k, line.strip()) for k, line in enumerate(lines, start=1)]
     numbered = [(k, line) for k, line in written if line and not COMMENT.match(line)]
-    layout = _layout(numbered, request)
+    layout = _find_layout(numbered, request)
     rows = _rows(numbered, layout, request)
-    table = _table(rows, layout)
+    table = _find_table(rows, layout)
     if table is None:
-        raise request.refuse(f"hold two columns of numbers ({_instead(numbered)})", _AS_TEXT)
+        raise request.error(f"hold two columns of numbers ({_describe_content(numbered)})", _AS_TEXT)
     plain = [table.plain(line, row) for (_, line), row in zip(numbered, rows, strict=True)]
-    first, last = _ends(numbered, plain, table, request)
-    body, notes = _between(numbered, plain, (first, last), table, request)
+    first, last = _find_ends(numbered, plain, table, request)
+    body, notes = _read_rows(numbered, plain, (first, last), table, request)
     pairs = islice(zip(plain, rows, strict=True), first, last + 1)
     if marked := sum(new is not old or table.beside(new) for new, old in pairs):
-        notes.insert(0, f"{lines_have(marked)} a mark or text beside their numbers, which was left out.")
+        notes.insert(0, f"{count_lines(marked)} a mark or text beside their numbers, which was left out.")
     values = np.array(body)
     begin, end = numbered[first][0] - 1, numbered[last][0]
     head = [line for (_, line), row in zip(numbered[:first], rows[:first], strict=True) if None in row]
-    defaults, note = stated_by(head)
+    defaults, note = read_dialect(head)
     request = replace(request, **{key: value for key, value in defaults.items() if getattr(request, key) is None})
     above = [line for _, line in written[max(begin - _NAMES_WITHIN, 0) : begin]]
     apart = [COMMENT.sub("", line, count=1) for _, line in written[:end] if COMMENT.match(line)]
-    hidden = sum(_measured(row) and table.holds(row) for row in map(layout.row, apart))
+    hidden = sum(_is_measured(row) and table.holds(row) for row in map(layout.row, apart))
     if hidden:
         notes.append(f"{hidden} lines of numbers above or between the points are comments and were left out.")
     remarks = [COMMENT.sub("", line, count=1) for line in above if COMMENT.match(line)]
     head = head[-_NAMES_WITHIN:]
     names = names_of_columns(head, remarks, table.needed, table.width, layout.separator)
-    chosen = _chosen(values, names, request)
+    chosen = _choose_columns(values, names, request)
     text = next((k for k in chosen if k not in table.needed), None)
     if text is not None:
         raise _no_number(*numbered[first], text, table, request)
     units = units_of_columns([names[k] for k in chosen], [*head, *remarks], request)
-    y, height = (values[:, k] * in_mm("unit", unit or "mm") for k, unit in zip(chosen, units, strict=True))
+    y, height = (values[:, k] * length_factor("unit", unit or "mm") for k, unit in zip(chosen, units, strict=True))
     if request.step is not None:
-        y, units[0] = _counted(values[:, chosen[0]], request.step), "mm"
+        y, units[0] = _positions_of_counts(values[:, chosen[0]], request.step), "mm"
     if layout.comma:
         notes.insert(0, "Commas were read as decimal commas.")
     converted = [
@@ -184,19 +184,19 @@ def _rows(numbered: list[tuple[int, str]], layout: Layout, request: Request) -> 
         count += len(row)
         if count > _MOST_CELLS:
             condition = f"hold no more than {_MOST_CELLS:,} numbers (there are {len(numbered):,} lines of {len(row):,})"
-            raise request.refuse(condition, "export fewer points, or the columns of positions and heights alone")
+            raise request.error(condition, "export fewer points, or the columns of positions and heights alone")
     return rows
 
 
-def _measured(row: Row) -> bool:
+def _is_measured(row: Row) -> bool:
     """Return whether a line has two numbers or more, one of which is measured."""
     numbers = [cell for cell in row if cell is not None]
     return len(numbers) > 1 and not all(map(math.isnan, numbers))
 
 
-def _table(rows: list[Row], layout: Layout) -> _Table | None:
+def _find_table(rows: list[Row], layout: Layout) -> _Table | None:
     """Return which cells are needed: those that are numbers in half of the lines of numbers, two at least."""
-    measured = [row for row in rows[:: len(rows) // _MOST_COUNTED + 1] if _measured(row)]
+    measured = [row for row in rows[:: len(rows) // _MOST_COUNTED + 1] if _is_measured(row)]
     # By the width of most, so that text above the points that holds numbers too does not count.
     width = Counter(sum(cell is not None for cell in row) for row in measured).most_common(1)
     alike = [row for row in measured if sum(cell is not None for cell in row) >= width[0][0]]
@@ -214,24 +214,24 @@ def _table(rows: list[Row], layout: Layout) -> _Table | None:
     return _Table(layout, tuple(needed), max(needed[-1] + 1, widest)) if len(needed) > 1 else None
 
 
-def _ends(numbered: list[tuple[int, str]], rows: list[Row], table: _Table, request: Request) -> tuple[int, int]:
+def _find_ends(numbered: list[tuple[int, str]], rows: list[Row], table: _Table, request: Request) -> tuple[int, int]:
     """Return the first and the last line of numbers."""
     whole = [k for k, row in enumerate(rows) if table.ends(numbered[k][1], row)]
     # A line of dashes below a head reads as missing values.
     first = next((k for k in whole if any(map(str.isalnum, numbered[k][1]))), len(rows))
     if first > LONGEST_HEAD or not whole:
-        raise request.refuse(f"hold two columns of numbers ({_instead(numbered)})", _AS_TEXT)
+        raise request.error(f"hold two columns of numbers ({_describe_content(numbered)})", _AS_TEXT)
     last = whole[-1]
     if table.layout.separator is not None:
         # Words in a cell of their own, which no other line has.
-        while first and _measured(rows[first - 1]) and table.holds(rows[first - 1]):
+        while first and _is_measured(rows[first - 1]) and table.holds(rows[first - 1]):
             first -= 1
-        while last + 1 < len(rows) and _measured(rows[last + 1]) and table.holds(rows[last + 1]):
+        while last + 1 < len(rows) and _is_measured(rows[last + 1]) and table.holds(rows[last + 1]):
             last += 1
     return first, last
 
 
-def _between(
+def _read_rows(
     numbered: list[tuple[int, str]], rows: list[Row], ends: tuple[int, int], table: _Table, request: Request
 ) -> tuple[list[list[float]], list[str]]:
     """Return the numbers from the first row to the last, and notes on words and footer; refuse lines like points."""
@@ -239,11 +239,11 @@ def _between(
     body: list[list[float]] = []
     words: list[str] = []
     for (number, line), row in zip(numbered[first : last + 1], rows[first : last + 1], strict=True):
-        whole = row if table.holds(row) else _with_gaps(row, table, line, words)
+        whole = row if table.holds(row) else _fill_gaps(row, table, line, words)
         if not table.holds(whole):
             raise _no_row(number, line, table, request)
         body.append(table.numbers(whole))
-    notes = [f"{lines_have(len(words))} words in place of a number, such as {shown(words[0])}."] if words else []
+    notes = [f"{count_lines(len(words))} words in place of a number, such as {quote(words[0])}."] if words else []
     if first and _begins_as_row(rows[first - 1], table):
         raise _no_row(*numbered[first - 1], table, request)
     footer = numbered[last + 1 :]
@@ -251,11 +251,11 @@ def _between(
         number, line = footer[0]
         if number == numbered[last][0] + 1 and _BEGUN.match(line):
             raise _no_row(number, line, table, request)
-        notes.append(f"The text below the points was ignored, from line {number} on ({shown(line)}).")
+        notes.append(f"The text below the points was ignored, from line {number} on ({quote(line)}).")
     return body, notes
 
 
-def _with_gaps(row: Row, table: _Table, line: str, words: list[str]) -> Row:
+def _fill_gaps(row: Row, table: _Table, line: str, words: list[str]) -> Row:
     """Return a row with NaN for words without digits in place of its numbers, but for the first, and add the words."""
     cells = table.layout.cells(line)
     if len(cells) != len(row):
@@ -269,40 +269,40 @@ def _with_gaps(row: Row, table: _Table, line: str, words: list[str]) -> Row:
 
 def _begins_as_row(row: Row, table: _Table) -> bool:
     """Return whether a line above the points holds numbers where they do: two at least, and one more or less."""
-    return _measured(row) and all(cell is not None for cell in row[: min(table.needed[-1] + 1, len(row))])
+    return _is_measured(row) and all(cell is not None for cell in row[: min(table.needed[-1] + 1, len(row))])
 
 
 def _no_row(number: int, line: str, table: _Table, request: Request) -> InputError:
     cells, width = table.layout.cells(line), table.width
     lacking = [k for k in table.needed if k < len(cells) and table.layout.value(cells[k]) is None]
     if len(cells) != width or not lacking:
-        condition = f"hold {width} columns in line {number} as elsewhere (there are {len(cells)}: {shown(line)})"
-        return request.refuse(condition, "correct or delete that line")
+        condition = f"hold {width} columns in line {number} as elsewhere (there are {len(cells)}: {quote(line)})"
+        return request.error(condition, "correct or delete that line")
     return _no_number(number, line, lacking[0], table, request)
 
 
 def _no_number(number: int, line: str, column: int, table: _Table, request: Request) -> InputError:
     cell = dict(enumerate(table.layout.cells(line))).get(column, "")
-    condition = f"hold a number in line {number}, column {column + 1} (there is {shown(cell)})"
-    return request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
+    condition = f"hold a number in line {number}, column {column + 1} (there is {quote(cell)})"
+    return request.error(condition, "correct or delete that line; write nan where nothing was measured")
 
 
-def _counted(counts: Array, step: float) -> Array:
+def _positions_of_counts(counts: Array, step: float) -> Array:
     """Return positions [mm] from the numbers of points and their step; refuse a step beside positions."""
     if not np.all(np.diff(counts) == 1.0):
         raise InputError("step", step, "not be given for a file that has positions", "leave it out")
     return np.asarray(counts * step)
 
 
-def _instead(numbered: list[tuple[int, str]]) -> str:
+def _describe_content(numbered: list[tuple[int, str]]) -> str:
     """Return what a text without two columns of numbers holds instead."""
     if any(math.isfinite(value_in(line) or math.nan) for _, line in numbered[:LONGEST_HEAD]):
         return "there is only one number per line"
-    with_digits = (f"line {k} is {shown(line)}" for k, line in numbered if any(c.isdigit() for c in line))
+    with_digits = (f"line {k} is {quote(line)}" for k, line in numbered if any(c.isdigit() for c in line))
     return next(with_digits, "no line has any")
 
 
-def _layout(numbered: list[tuple[int, str]], request: Request) -> Layout:
+def _find_layout(numbered: list[tuple[int, str]], request: Request) -> Layout:
     """Return the layout by which most lines split into two or more numbers."""
     spread = numbered[:: len(numbered) // SAMPLED + 1]
     sample = [(k, line) for k, line in spread if any(map(str.isdigit, line))]
@@ -316,8 +316,10 @@ def _layout(numbered: list[tuple[int, str]], request: Request) -> Layout:
 
 def _comma_layout(sample: list[tuple[int, str]], request: Request) -> Layout:
     blanks, commas = Layout(None, comma=True), Layout(",", comma=False)
-    read = [(number, line) for number, line in sample if _measured(blanks.row(line)) and "." not in line]
-    if sum(_legible(blanks, line) for _, line in read) > sum(_legible(commas, line) for _, line in sample):
+    read = [(number, line) for number, line in sample if _is_measured(blanks.row(line)) and "." not in line]
+    if sum(_numeric_fraction(blanks, line) for _, line in read) > sum(
+        _numeric_fraction(commas, line) for _, line in sample
+    ):
         _refuse_thousands(read, blanks, request)
         return blanks
     for number, line in sample:
@@ -326,21 +328,21 @@ def _comma_layout(sample: list[tuple[int, str]], request: Request) -> Layout:
         chosen = request.position_column is not None and request.height_column is not None
         padded = any(_PADDED.fullmatch(cell) for cell in cells)
         if whole and (padded or (len(cells) > 2 and not chosen)):
-            condition = f"distinguish decimal commas from commas between columns (line {number} is {shown(line)})"
-            raise request.refuse(condition, "separate the columns by semicolons or tabs, or write decimal points")
+            condition = f"distinguish decimal commas from commas between columns (line {number} is {quote(line)})"
+            raise request.error(condition, "separate the columns by semicolons or tabs, or write decimal points")
     return commas
 
 
-def _legible(layout: Layout, line: str) -> float:
+def _numeric_fraction(layout: Layout, line: str) -> float:
     """Return the fraction of a line's cells that are numbers, zero for fewer than two."""
     row = layout.row(line)
-    return sum(cell is not None for cell in row) / len(row) if _measured(row) else 0.0
+    return sum(cell is not None for cell in row) / len(row) if _is_measured(row) else 0.0
 
 
 def _with_decimal_commas(sample: list[tuple[int, str]], separator: str, request: Request) -> bool:
     """Return whether the lines of numbers have decimal commas, whatever the header above them contains."""
     layout = Layout(separator, comma=True)
-    read = [(number, line) for number, line in sample if _measured(layout.row(line))]
+    read = [(number, line) for number, line in sample if _is_measured(layout.row(line))]
     written = "".join(cell for _, line in read for cell in layout.cells(line) if layout.value(cell) is not None)
     if "," not in written or "." in written:
         return False
@@ -361,14 +363,14 @@ def _refuse_thousands(lines: list[tuple[int, str]], layout: Layout, request: Req
         alike = all(_THOUSANDS.fullmatch(cell) for _, cell in parted) and all(map(_BELOW_THOUSAND.fullmatch, whole))
         if parted and whole and alike:
             number, cell = parted[0]
-            condition = f"distinguish decimal commas from thousands separators (line {number} has {shown(cell)})"
-            raise request.refuse(condition, "write decimal points and no thousands separators")
+            condition = f"distinguish decimal commas from thousands separators (line {number} has {quote(cell)})"
+            raise request.error(condition, "write decimal points and no thousands separators")
 
 
-def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]:
+def _choose_columns(table: Array, names: list[str], request: Request) -> tuple[int, int]:
     requested = {"position_column": request.position_column, "height_column": request.height_column}
     filled = [k for k in range(table.shape[1]) if not np.all(np.isnan(table[:, k]))]
-    columns = {field: column_called(field, value, names) for field, value in requested.items() if value is not None}
+    columns = {field: find_column(field, value, names) for field, value in requested.items() if value is not None}
     if len(columns) == 2:
         if columns["position_column"] == columns["height_column"]:
             condition = "differ from position_column"
@@ -379,8 +381,8 @@ def _chosen(table: Array, names: list[str], request: Request) -> tuple[int, int]
     if table.shape[1] > 2:
         names = [name or f"column {k}" for k, name in enumerate(names, start=1)] if any(names) else []
         condition = f"hold two columns, or have two of its {table.shape[1]} chosen"
-        condition += f" ({listed(names)})" if names else ""
-        raise request.refuse(condition, "give position_column and height_column, by number from 1 or by name")
+        condition += f" ({list_names(names)})" if names else ""
+        raise request.error(condition, "give position_column and height_column, by number from 1 or by name")
     if columns:
         ((field, column),) = columns.items()
         return (column, 1 - column) if field == "position_column" else (1 - column, column)
@@ -394,4 +396,4 @@ def _refuse_swapped(table: Array, request: Request) -> None:
     back = min(int(np.sum(first < 0.0)), int(np.sum(first > 0.0)))
     if back and (np.all(second > 0.0) or np.all(second < 0.0)):
         condition = f"have its positions in the first column (it reverses in {back} places and the second in none)"
-        raise request.refuse(condition, "give position_column = 2, or 1 if it really is the first")
+        raise request.error(condition, "give position_column = 2, or 1 if it really is the first")

@@ -24,7 +24,7 @@ _SDF = re.compile(r"a[A-Z]{2,4} ?- ?[V\d]")
 _UNITS = {1.0: "m", 1e2: "cm", 1e3: "mm", 1e6: "um"}
 
 
-def stated_by(head: Sequence[str]) -> tuple[Mapping[str, Any], str | None]:
+def read_dialect(head: Sequence[str]) -> tuple[Mapping[str, Any], str | None]:
     """Return what the lines above the numbers state as fields of a `Request`, and a note about it; {}, None if nothing.
 
     Parameters

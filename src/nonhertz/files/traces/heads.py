@@ -101,33 +101,33 @@ def units_of_columns(names: Sequence[str], lines: Iterable[str], request: Reques
     units[1] = request.height_unit or _unit_in(names[1], request)
     lines = list(lines)
     others = [line for line in lines if not all(name and name in line for name in names)]
-    declared = _declared(others, _order_of_axes(names, lines))
+    declared = _find_declared_units(others, _order_of_axes(names, lines))
     units = [unit or other for unit, other in zip(units, declared, strict=True)]
-    stray = next((line for line in others if _stated(line, at_end=True)), None)
+    stray = next((line for line in others if _find_unit(line, at_end=True)), None)
     if None in units and not any(declared) and stray is not None:
         what = "positions" if units[0] is None else "heights"
-        condition = f"state the unit of its {what} beside the name of their column (there is {shown(stray)})"
-        raise request.refuse(condition, "give position_unit and height_unit, such as 'mm' and 'um'")
+        condition = f"state the unit of its {what} beside the name of their column (there is {quote(stray)})"
+        raise request.error(condition, "give position_unit and height_unit, such as 'mm' and 'um'")
     return units
 
 
 def unit_of_heights(lines: Sequence[str], request: Request) -> tuple[str | None, str]:
     """Return the unit of heights alone, None if it is not stated, and the line above them that states it."""
-    stated = [line for line in lines if _stated(line, at_end=True) and not _STEP.search(line)]
+    stated = [line for line in lines if _find_unit(line, at_end=True) and not _STEP.search(line)]
     axes = _order_of_axes(("", ""), lines)
     stated = [line for line in stated if not any(map(_NUMBER.fullmatch, _BETWEEN_WORDS.split(line)))]
     line = next((line for line in reversed(stated) if _column_of(line, axes) != 0), "")
-    return request.height_unit or _stated(line, at_end=True), line
+    return request.height_unit or _find_unit(line, at_end=True), line
 
 
-def step_in(lines: Iterable[str], request: Request) -> tuple[float, str | None] | None:
+def find_step(lines: Iterable[str], request: Request) -> tuple[float, str | None] | None:
     """Return the distance between points that lines above the numbers state, and its unit, or None."""
     stated = []
     for key, number, behind in (match.groups() for line in lines for match in _SETTING.finditer(line)):
         value = float(number.replace(",", "."))
         if value <= 0.0 or not _STEP.search(key) or _NO_STEP.search(key):
             continue
-        unit = behind if behind and millimetres(behind) else _stated(key.strip(" \"',"))
+        unit = behind if behind and millimetres(behind) else _find_unit(key.strip(" \"',"))
         if unit or not (behind or _BRACKETS.search(key) or "resolution" in key.lower()):
             stated.append((value, request.position_unit or unit))
     return max(stated, key=lambda step: step[1] is not None, default=None)
@@ -142,12 +142,12 @@ def counts_drop(name: str, request: Request) -> bool:
         If the name is ambiguous and no sense is given.
     """
     if request.sense is None and _EITHER.search(name) and not _DROP.search(name):
-        condition = f"say which way its column {shown(name)} is positive"
-        raise request.refuse(condition, "give sense = 'drop' where it is positive below the surface, or 'height'")
+        condition = f"say which way its column {quote(name)} is positive"
+        raise request.error(condition, "give sense = 'drop' where it is positive below the surface, or 'height'")
     return bool(_DROP.search(name))
 
 
-def column_called(field: str, requested: object, names: list[str]) -> int:
+def find_column(field: str, requested: object, names: list[str]) -> int:
     """Return the index of a column requested by number, from 1, or by name.
 
     Raises
@@ -168,21 +168,21 @@ def column_called(field: str, requested: object, names: list[str]) -> int:
     for candidates in (lowered, plain):
         if candidates.count(text.lower()) == 1:
             return candidates.index(text.lower())
-    known = listed([name for name in names if name]) or "none: the file has no line of names"
+    known = list_names([name for name in names if name]) or "none: the file has no line of names"
     raise InputError(field, requested, f"be the name of a column ({known})", "give its number, from 1")
 
 
-def listed(names: Sequence[str]) -> str:
+def list_names(names: Sequence[str]) -> str:
     """Return the first few of some names as text."""
-    return ", ".join(map(shown, names[:_LISTED])) + (", ..." if len(names) > _LISTED else "")
+    return ", ".join(map(quote, names[:_LISTED])) + (", ..." if len(names) > _LISTED else "")
 
 
-def lines_have(count: int) -> str:
+def count_lines(count: int) -> str:
     """Return "1 line has" or "2 lines have"."""
     return "1 line has" if count == 1 else f"{count} lines have"
 
 
-def shown(text: str) -> str:
+def quote(text: str) -> str:
     """Return text from a file in quotes, shortened if it is long."""
     return repr(text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "...")
 
@@ -203,7 +203,7 @@ def cells_of(line: str, separator: str | None) -> list[str]:
 def _cells(line: str, needed: Sequence[int], width: int, separator: str | None) -> list[str]:
     """Return the cells of a line of names, which may be separated differently from the numbers; [] if it is none."""
     splits = [(cells_of(line, candidate), candidate is not None) for candidate in (separator, ";", "\t", ",", "|")]
-    for cells, apart in (*splits, (re.split(r"\s{2,}", line), True), (_closed_by_units(line), True)):
+    for cells, apart in (*splits, (re.split(r"\s{2,}", line), True), (_split_at_units(line), True)):
         plain = [cell.strip(" \"'") for cell in cells]
         while len(plain) > needed[-1] + 1 and not plain[-1]:
             plain.pop()
@@ -212,7 +212,7 @@ def _cells(line: str, needed: Sequence[int], width: int, separator: str | None) 
         if (
             len(plain) == width
             or (apart and needed[-1] < len(plain) <= width)
-            or (beyond and apart and all(_stated(plain[k]) for k in needed) and not any(map(_stated, beyond)))
+            or (beyond and apart and all(_find_unit(plain[k]) for k in needed) and not any(map(_find_unit, beyond)))
         ):
             return [*plain, *[""] * width][:width]
     return []
@@ -228,19 +228,19 @@ def _names_in(line: str, needed: Sequence[int], width: int, separator: str | Non
     return cells if all(units) or not any(units) else []
 
 
-def _closed_by_units(line: str) -> list[str]:
+def _split_at_units(line: str) -> list[str]:
     """Return the names in "y [mm] z [um] note" or "y mm z um", with one blank between all words."""
     names: list[str] = [""]
     for word in re.findall(r"[^\s\[(]+|\[[^][]*\]|\([^()]*\)", line):
         names[-1] = f"{names[-1]} {word}".strip()
-        if _stated(names[-1]) not in (None, "in"):  # "all values in um" is no column of inches
+        if _find_unit(names[-1]) not in (None, "in"):  # "all values in um" is no column of inches
             names.append("")
     return [name for name in names if name] if len(names) > 1 else line.split()
 
 
 def _units(cells: Sequence[str], needed: Sequence[int]) -> int:
     """Return how many columns of numbers have a name with a unit of length, or are a unit."""
-    return sum(_stated(cells[k]) is not None for k in needed)
+    return sum(_find_unit(cells[k]) is not None for k in needed)
 
 
 def _is_value(cell: str) -> bool:
@@ -254,13 +254,13 @@ def _names_axis(name: str) -> bool:
 
 def _are_names(cells: list[str], line: str) -> bool:
     """Return whether a comment is a line of names: words separated by more than blanks, or with units of length."""
-    units = [_stated(cell) for cell in cells]
+    units = [_find_unit(cell) for cell in cells]
     if any(units) or any(_BRACKETS.search(cell) for cell in cells):
         return all(units)
     return bool(re.search(r"[;\t|,]", line)) and all(re.fullmatch(r"\w+", cell) for cell in cells)
 
 
-def _stated(name: str, *, at_end: bool = False) -> str | None:
+def _find_unit(name: str, *, at_end: bool = False) -> str | None:
     """Return the unit of length in a name, in brackets or as a word that follows no number; None if there is none."""
     for brackets in reversed(list(_BRACKETS.finditer(name))):
         unit = next(group for group in brackets.groups() if group is not None)
@@ -279,10 +279,10 @@ def _stated(name: str, *, at_end: bool = False) -> str | None:
 
 def _unit_in(name: str, request: Request) -> str | None:
     """Return the unit that a column's name states, None if it states none; refuse one that is not of length."""
-    unit = _stated(name)
+    unit = _find_unit(name)
     if unit is None and (_BRACKETS.search(name) or _LOST.search(name)):
-        condition = f"state a unit of length for each column (there is {shown(name)})"
-        raise request.refuse(condition, "write mm, um, nm, m or in there, or give position_unit and height_unit")
+        condition = f"state a unit of length for each column (there is {quote(name)})"
+        raise request.error(condition, "write mm, um, nm, m or in there, or give position_unit and height_unit")
     return unit
 
 
@@ -301,20 +301,20 @@ def _order_of_axes(names: Sequence[str], lines: Iterable[str]) -> str:
     return "".join(letter if letter in known else " " for letter in "xz")
 
 
-def _declared(lines: Iterable[str], axes: str) -> list[str | None]:
+def _find_declared_units(lines: Iterable[str], axes: str) -> list[str | None]:
     """Return the units of positions and heights in lines such as "Units: mm, um", "Z unit = um" or "X (mm)"."""
     units_: list[str | None] = [None, None]
     for line in lines:
         _, *behind = _SAYS_UNIT.split(line, maxsplit=1)
         units = [word for word in _BETWEEN_UNITS.split(behind[0]) if millimetres(word)] if behind else []
-        parts = [part for part in re.split(r"[;,\t|]", line) if _stated(part, at_end=True)]
+        parts = [part for part in re.split(r"[;,\t|]", line) if _find_unit(part, at_end=True)]
         if len(units) == 2 and len(_SAYS_UNIT.findall(line)) == 1:
             units_ = [mine or unit for mine, unit in zip(units_, units, strict=True)]
             continue
         for part in parts if len(parts) > 1 else [line]:
             column = _column_of(part, axes)
             if column is not None and (behind or len(part.split()) <= _WORDS_OF_AXIS):
-                units_[column] = units_[column] or _stated(part, at_end=True)
+                units_[column] = units_[column] or _find_unit(part, at_end=True)
     return units_
 
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from nonhertz.files.traces.dialects import stated_by
-from nonhertz.files.traces.heads import counts_drop, lines_have, shown, step_in, unit_of_heights
-from nonhertz.files.traces.line import Line, Request, in_mm
+from nonhertz.files.traces.dialects import read_dialect
+from nonhertz.files.traces.heads import count_lines, counts_drop, find_step, quote, unit_of_heights
+from nonhertz.files.traces.line import Line, Request, length_factor
 from nonhertz.files.traces.text import COMMENT, LONGEST_HEAD, MARK, SAMPLED, value_in, without_comment
 from nonhertz.measured.trace import FEWEST_POINTS, Array
 
@@ -48,7 +48,7 @@ class Heights:
     footer: str | None
 
 
-def heights_alone(lines: Sequence[str], request: Request) -> Heights | None:
+def find_heights(lines: Sequence[str], request: Request) -> Heights | None:
     """Return the lines of heights, None if the lines have columns.
 
     Commas are decimal commas if a step is given or stated above the numbers, and otherwise separate columns.
@@ -81,7 +81,7 @@ def read_heights(heights: Heights, request: Request) -> Line:
     """
     for column in ("position_column", "height_column"):
         if getattr(request, column) not in (None, 1, "1"):
-            raise request.refuse("hold two columns of numbers (there is only one number per line)", _GIVE_STEP)
+            raise request.error("hold two columns of numbers (there is only one number per line)", _GIVE_STEP)
     step, known, request, notes = _step(heights.head, request)
     values, words = _values(heights.cells, request)
     values, step, about_first = _without_settings(heights, values, step, request)
@@ -93,11 +93,11 @@ def read_heights(heights: Heights, request: Request) -> Line:
     if (unit or "mm") != "mm":
         notes.append(f"Heights were converted from {unit} to mm.")
     if words:
-        notes.append(f"{lines_have(len(words))} words in place of a number, such as {shown(words[0])}.")
+        notes.append(f"{count_lines(len(words))} words in place of a number, such as {quote(words[0])}.")
     if heights.footer is not None:
-        notes.append(f"The text below the points was ignored ({shown(heights.footer)}).")
+        notes.append(f"The text below the points was ignored ({quote(heights.footer)}).")
     drop = request.sense == "drop" or counts_drop(name, request)
-    height = values * in_mm("unit", unit or "mm")
+    height = values * length_factor("unit", unit or "mm")
     return Line(step * np.arange(len(values), dtype=float), height, tuple(notes), (known, unit is not None), drop)
 
 
@@ -118,10 +118,10 @@ def _without_settings(heights: Heights, values: Array, step: float, request: Req
         values = values[1:]
     first, apart = float(values[0]), _is_apart(heights, values)
     if not step and apart and not heights.head and first > 0.0:
-        return values[1:], first * in_mm("unit", request.position_unit or "um"), [*notes, _UM]
+        return values[1:], first * length_factor("unit", request.position_unit or "um"), [*notes, _UM]
     if not step:
         condition = "say how far apart its points are (there is one number per line and no position"
-        raise request.refuse(condition + (f"; the first, {first:g}, may be it)" if apart else ")"), _GIVE_STEP)
+        raise request.error(condition + (f"; the first, {first:g}, may be it)" if apart else ")"), _GIVE_STEP)
     if apart and any(math.isclose(step, first * unit, rel_tol=1e-6) for unit in (1.0, 1e-3, 1e-6, 1e3)):
         notes.append(f"The first number, {first:g}, is the distance of the points.")
         values = values[1:]
@@ -143,19 +143,19 @@ def _number_beside_mark(line: str) -> float | None:
 
 def _step(head: Sequence[str], request: Request) -> tuple[float, bool, Request, list[str]]:
     """Return the step [mm], 0 if it is not known, whether its unit is, and the request with what the head defines."""
-    defaults, note = stated_by(head)
+    defaults, note = read_dialect(head)
     notes = [note] if note else []
     unset = {key: value for key, value in defaults.items() if key != "step" and getattr(request, key) is None}
     request = replace(request, **unset)
     if request.step is not None:
         return request.step, True, request, notes
     if "step" in defaults:
-        return in_mm("step", str(defaults["step"])), True, request, notes
-    stated = step_in(head, request)
+        return length_factor("step", str(defaults["step"])), True, request, notes
+    stated = find_step(head, request)
     if stated is None:
         return 0.0, True, request, notes
     value, unit = stated
-    return value * in_mm("unit", unit or "mm"), unit is not None, request, notes
+    return value * length_factor("unit", unit or "mm"), unit is not None, request, notes
 
 
 def _values(cells: Sequence[tuple[int, str, float | None]], request: Request) -> tuple[Array, list[str]]:
@@ -163,8 +163,8 @@ def _values(cells: Sequence[tuple[int, str, float | None]], request: Request) ->
     words = [line for _, line, value in cells if value is None]
     for number, line, value in cells:
         if value is None and any(map(str.isdigit, line)):
-            condition = f"hold one number in line {number} as elsewhere (there is {shown(line)})"
-            raise request.refuse(condition, "correct or delete that line; write nan where nothing was measured")
+            condition = f"hold one number in line {number} as elsewhere (there is {quote(line)})"
+            raise request.error(condition, "correct or delete that line; write nan where nothing was measured")
     return np.array([math.nan if value is None else value for _, _, value in cells]), words
 
 
@@ -181,7 +181,7 @@ def _is_apart(heights: Heights, values: Array) -> bool:
 def _check_counts(head: Sequence[str], count: int, request: Request) -> None:
     text = "\n".join(head)
     if (profiles := _PROFILES.search(text)) and int(profiles[1]) > 1:
-        raise request.refuse(f"hold one profile (it states {profiles[1][:20]})", "extract one line")
+        raise request.error(f"hold one profile (it states {profiles[1][:20]})", "extract one line")
     if (stated := _STATED_COUNT.search(text)) and int(stated[1]) != count:
         condition = f"hold the {stated[1]} heights stated in its header (there are {count})"
-        raise request.refuse(condition, "export it again; this file is truncated")
+        raise request.error(condition, "export it again; this file is truncated")

@@ -33,10 +33,10 @@ def _column(name: str, value: Any, remedy: str) -> Any:
     return value
 
 
-def of_length(name: str, value: Any, remedy: str) -> None:
+def check_length_unit(name: str, value: Any, remedy: str) -> None:
     """Refuse what is not a unit of length."""
     text(name, value, remedy)
-    in_mm(name, value)
+    length_factor(name, value)
 
 
 _QUOTES = "put it in quotes"
@@ -51,11 +51,11 @@ class Request(Input):
     name: Annotated[str, Word("what messages call the file", "give its name", condition=text)]
     position_unit: Annotated[
         str | None,
-        Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=of_length),
+        Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=check_length_unit),
     ] = None
     height_unit: Annotated[
         str | None,
-        Word("unit of the heights; what the file states, or mm, if left out", _QUOTES, condition=of_length),
+        Word("unit of the heights; what the file states, or mm, if left out", _QUOTES, condition=check_length_unit),
     ] = None
     position_column: Annotated[
         int | str | None, Custom("column of the positions, by number from 1 or by name", _column, _COLUMN, _WHICH)
@@ -82,7 +82,7 @@ class Request(Input):
         ),
     ] = None
 
-    def refuse(self, condition: str, remedy: str) -> InputError:
+    def error(self, condition: str, remedy: str) -> InputError:
         """Return an error about the file."""
         return InputError("file", self.name, condition, remedy)
 
@@ -121,7 +121,7 @@ class Line:
         return replace(self, notes=(*notes, *self.notes))
 
 
-def in_mm(field: str, unit: str) -> float:
+def length_factor(field: str, unit: str) -> float:
     """Return how many mm a unit is.
 
     Raises
@@ -139,7 +139,7 @@ def in_mm(field: str, unit: str) -> float:
         raise InputError(field, unit, "be a unit of length", "write mm, um, nm, m or in") from None
 
 
-def made(line: Line, request: Request) -> Trace:
+def build_trace(line: Line, request: Request) -> Trace:
     """Return the trace of a line: in ascending order, each position once, gaps known.
 
     Raises
@@ -148,18 +148,18 @@ def made(line: Line, request: Request) -> Trace:
         If there are too few or too many points, or heights without a unit that cannot be in mm.
     """
     if len(line.y) > MOST_POINTS:
-        raise request.refuse(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
+        raise request.error(f"hold no more than {MOST_POINTS:,} points", "export fewer; a few thousand are enough")
     notes = list(line.notes)
     measured = np.isfinite(line.y) & np.isfinite(line.height)
     if not np.all(measured):
         notes.append(f"{int(np.sum(~measured))} of {len(measured)} points have no value and were left out.")
     y, height = line.y[measured], line.height[measured]
     if len(y) == 0:
-        raise request.refuse("hold measured points (there is no pair of numbers)", "export the profile again")
-    y, height = _sorted(y, height, notes)
+        raise request.error("hold measured points (there is no pair of numbers)", "export the profile again")
+    y, height = _sort_points(y, height, notes)
     if len(y) < FEWEST_POINTS:
         clause = "is only one" if len(y) == 1 else f"are only {len(y)}"
-        raise request.refuse(f"hold at least {FEWEST_POINTS} positions (there {clause})", "measure more points")
+        raise request.error(f"hold at least {FEWEST_POINTS} positions (there {clause})", "measure more points")
     _check_size(y, height, request)
     _check_plausible(y, height, line.units_known, request)
     unknown = [what for what, known in zip(("positions", "heights"), line.units_known, strict=True) if not known]
@@ -168,14 +168,14 @@ def made(line: Line, request: Request) -> Trace:
     if (request.sense or ("drop" if line.drop else "height")) == "drop":
         height = -height
         notes.append("The column is positive where material is removed; its sign was reversed.")
-    gaps = tuple(sorted({*dropouts(y, *_unmeasured(line, measured)), *holes(y)}))
+    gaps = tuple(sorted({*dropouts(y, *_find_unmeasured(line, measured)), *holes(y)}))
     if gaps:
         places = ", ".join(f"{mm(*gap, between=' to '):.5g}" for gap in gaps[:5]) + (", ..." if len(gaps) > 5 else "")
         notes.append(f"Nothing was measured from y = {places}.")
     return Trace(y, height, gaps, name=request.name, notes=tuple(notes))
 
 
-def _unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
+def _find_unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Return positions at which nothing was measured, and pairs of measured ones with unmeasured ones between them.
 
     A point without a height has its own position, wherever it is in the file. One without a position can be located
@@ -188,7 +188,7 @@ def _unmeasured(line: Line, known: NDArray[np.bool_]) -> tuple[Array, Array]:
     return line.y[~known & ~nowhere], pairs
 
 
-def _sorted(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
+def _sort_points(y: Array, height: Array, notes: list[str]) -> tuple[Array, Array]:
     back = int(np.sum(np.diff(y) < 0.0))
     if back and np.all(np.diff(y) < 0.0):
         notes.append("Positions descend in the file; their order was reversed.")
@@ -210,10 +210,10 @@ def _check_size(y: Array, height: Array, request: Request) -> None:
     largest = float(max(np.max(np.abs(y)), np.max(np.abs(height))))
     if largest > _LARGEST:
         condition = f"hold positions and heights within a kilometre (there is one of {mm(largest):.3g})"
-        raise request.refuse(condition, "write nan where nothing was measured, and correct the units")
+        raise request.error(condition, "write nan where nothing was measured, and correct the units")
     if y[-1] - y[0] < _SHORTEST:
         condition = f"hold positions that are further apart ({mm(y[-1] - y[0]):.3g} in all)"
-        raise request.refuse(condition, "correct their unit or their column")
+        raise request.error(condition, "correct their unit or their column")
 
 
 def _check_plausible(y: Array, height: Array, known: tuple[bool, bool], request: Request) -> None:
@@ -231,4 +231,4 @@ def _check_plausible(y: Array, height: Array, known: tuple[bool, bool], request:
     else:
         return
     remedy = f"give {what}_unit, such as 'um', or 'mm' if they really are in mm"
-    raise request.refuse(f"state the unit of its {what}s ({absurd})", remedy)
+    raise request.error(f"state the unit of its {what}s ({absurd})", remedy)

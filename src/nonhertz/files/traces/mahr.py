@@ -47,5 +47,5 @@ def read_marwin(lines: Sequence[str], request: Request) -> Line:
     stated = [match[1] for line in lines[:start] if (match := _COUNT.match(line))][:1]
     if stated and stated != [str(len(along[name].y))]:
         condition = f"hold the {stated[0][:20]} points stated in its header (there are {len(along[name].y)})"
-        raise request.refuse(condition, "export it again; this file is truncated")
+        raise request.error(condition, "export it again; this file is truncated")
     return along[name].noted(f"A MarWin export: positions are its {name}, heights its Z, in mm.")

@@ -22,7 +22,7 @@ import re
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.files.traces.line import MOST_POINTS, Line, Request, in_mm
+from nonhertz.files.traces.line import MOST_POINTS, Line, Request, length_factor
 from nonhertz.files.traces.text import lines_of, value_in
 from nonhertz.measured.trace import Array
 
@@ -52,11 +52,11 @@ def read_records(data: bytes, request: Request) -> Line:
     axes = {match[1]: match for match in _AXIS.finditer(text[:_LOOKED_AT])}
     if axes["CX"][2] not in {"I", "M"}:
         condition = f"have evenly spaced points (its axis CX is of kind {axes['CX'][2]})"
-        raise request.refuse(condition, "export the profile as text in two columns")
+        raise request.error(condition, "export the profile as text in two columns")
     step = _step(text, axes["CX"], request) * _factor(axes["CX"], request)
     count = int(_number(axes["CZ"][3], "the number of points", request))
     if not 0 < count <= MOST_POINTS:
-        raise request.refuse(f"hold between 1 and {MOST_POINTS:,} points (its header says {count})", "export fewer")
+        raise request.error(f"hold between 1 and {MOST_POINTS:,} points (its header says {count})", "export fewer")
     heights = _heights(text, count, request) * _factor(axes["CZ"], request)
     y = np.linspace(0.0, step * (count - 1), count)
     return Line(y, heights, ("A profile after ISO 5436-2: positions count from its first point.",))
@@ -72,23 +72,23 @@ def _step(text: str, axis: re.Match[str], request: Request) -> float:
     spacing = _SPACING.search(text[: 5 * _LOOKED_AT])
     written = axis[7] or (spacing[1] if spacing else None)
     if written is None:
-        raise request.refuse("state the step of its points (SPACING CX is missing)", _AGAIN)
+        raise request.error("state the step of its points (SPACING CX is missing)", _AGAIN)
     step = _number(written, "the step", request)
     if step <= 0.0:
-        raise request.refuse(f"state a positive step (it is {written})", _AGAIN)
+        raise request.error(f"state a positive step (it is {written})", _AGAIN)
     return step
 
 
 def _factor(axis: re.Match[str], request: Request) -> float:
     """Return the size in mm of one unit of an axis's numbers."""
     try:
-        unit = in_mm("unit", axis[4].lower())
+        unit = length_factor("unit", axis[4].lower())
     except InputError:
         condition = f"state a unit of length for its axis {axis[1]} (it is {axis[4]!r})"
-        raise request.refuse(condition, "export the profile in mm or um") from None
+        raise request.error(condition, "export the profile in mm or um") from None
     factor = _number(axis[5], f"the factor of {axis[1]}", request)
     if factor <= 0.0:
-        raise request.refuse(f"state a positive factor for its axis {axis[1]} (it is {axis[5][:40]})", _AGAIN)
+        raise request.error(f"state a positive factor for its axis {axis[1]} (it is {axis[5][:40]})", _AGAIN)
     return unit * factor
 
 
@@ -97,7 +97,7 @@ def _heights(text: str, count: int, request: Request) -> Array:
     lines = lines_of(text, request.name)
     ends = [k for k, line in enumerate(lines) if line.strip() == "EOR"]
     if len(ends) < 2:
-        raise request.refuse("hold three records (header, remarks, heights)", _AGAIN)
+        raise request.error("hold three records (header, remarks, heights)", _AGAIN)
     last = ends[2] if len(ends) > 2 else len(lines)
     heights = []
     for number, line in enumerate(lines[ends[1] + 1 : last], start=ends[1] + 2):
@@ -105,7 +105,7 @@ def _heights(text: str, count: int, request: Request) -> Array:
             heights.append(_height(line.strip(), number, request))
     if len(heights) != count:
         condition = f"hold the {count} heights stated in its header (there are {len(heights)})"
-        raise request.refuse(condition, "export it again; this file is truncated")
+        raise request.error(condition, "export it again; this file is truncated")
     return np.array(heights, dtype=float)
 
 
@@ -113,12 +113,12 @@ def _height(cell: str, number: int, request: Request) -> float:
     value = value_in(cell)
     if value is None:
         condition = f"hold a height in line {number} (there is {cell[:40]!r})"
-        raise request.refuse(condition, _AGAIN)
+        raise request.error(condition, _AGAIN)
     return value
 
 
 def _number(text: str, what: str, request: Request) -> float:
     value = value_in(text)
     if value is None or not np.isfinite(value):
-        raise request.refuse(f"state {what} as a number (it is {text[:40]!r})", _AGAIN)
+        raise request.error(f"state {what} as a number (it is {text[:40]!r})", _AGAIN)
     return value

@@ -9,7 +9,7 @@ from typing import Any
 from nonhertz.errors import InputError
 from nonhertz.files.traces.line import MOST_POINTS, Request
 from nonhertz.files.traces.text import LONGEST_HEAD, value_in
-from nonhertz.files.traces.x3p import reason_of, sound
+from nonhertz.files.traces.x3p import describe_reason, repack
 
 _OLE, _ZIP = b"\xd0\xcf\x11\xe0", b"PK"
 # Members of an archive by which its kind is known; .xlsb, .ods and .numbers can only be converted.
@@ -32,28 +32,28 @@ def lines_of_workbook(data: bytes, request: Request) -> tuple[list[str], tuple[s
         If it cannot be read, or openpyxl is not installed.
     """
     if _XLSX not in data or not data.startswith(_ZIP):
-        raise request.refuse("be a file that can be read (this is a workbook)", _AS_CSV)
+        raise request.error("be a file that can be read (this is a workbook)", _AS_CSV)
     try:
         import openpyxl
     except ModuleNotFoundError:
         remedy = f"{_AS_CSV}, or install what reads it with: pip install openpyxl"
-        raise request.refuse("be a file that can be read (this is a workbook)", remedy) from None
+        raise request.error("be a file that can be read (this is a workbook)", remedy) from None
     try:
-        content = sound(data, request)
+        content = repack(data, request)
         if b"<!DOCTYPE" in content:
-            raise request.refuse("be a workbook without definitions of its own (DOCTYPE)", _AS_CSV)
+            raise request.error("be a workbook without definitions of its own (DOCTYPE)", _AS_CSV)
         book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
         most = {"max_row": MOST_POINTS + LONGEST_HEAD, "max_col": _MOST_COLUMNS, "values_only": True}
         sheets = {sheet.title: list(map(_line, sheet.iter_rows(**most))) for sheet in book.worksheets}
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and openpyxl raise a dozen kinds of errors over damaged files)
-        raise request.refuse(f"be an intact workbook ({reason_of(error)})", _AS_CSV) from None
+        raise request.error(f"be an intact workbook ({describe_reason(error)})", _AS_CSV) from None
     # A sheet of heights alone has one number per row.
     rows = {name: [count for _, count in sheet] for name, sheet in sheets.items()}
     name = max(rows, key=lambda name: (sum(n > 1 for n in rows[name]), sum(map(bool, rows[name]))), default="")
     if not name:
-        raise request.refuse("be a workbook with a sheet of cells", _AS_CSV)
+        raise request.error("be a workbook with a sheet of cells", _AS_CSV)
     others = f", one of {len(sheets)}," if len(sheets) > 1 else ""
     return [line for line, _ in sheets[name]], (f"The sheet {name!r}{others} was read from a workbook.",)
 

@@ -38,7 +38,7 @@ _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")
 
 
-def decoded(data: bytes, name: str) -> tuple[list[str], tuple[str, ...]]:
+def decode(data: bytes, name: str) -> tuple[list[str], tuple[str, ...]]:
     """Return the lines of a text, and notes about it.
 
     Parameters

@@ -48,11 +48,11 @@ def read_container(data: bytes, request: Request) -> Line:
     """
     request.refuse_choices("an X3P file")
     try:
-        profile = _profile(sound(data, request), request)
+        profile = _read_profile(repack(data, request), request)
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001  (zip, XML and x3pio raise a dozen kinds of errors over damaged files)
-        raise request.refuse(f"be an intact X3P file ({reason_of(error)})", _AGAIN) from None
+        raise request.error(f"be an intact X3P file ({describe_reason(error)})", _AGAIN) from None
     layer = profile.layers[0]
     notes = ["An X3P profile, converted from m to mm."]
     if len(profile.layers) > 1:
@@ -65,7 +65,7 @@ def read_container(data: bytes, request: Request) -> Line:
     return Line(1e3 * np.asarray(y, dtype=float), 1e3 * np.asarray(layer.z, dtype=float), tuple(notes))
 
 
-def _profile(archive: bytes, request: Request) -> x3pio.Profile:
+def _read_profile(archive: bytes, request: Request) -> x3pio.Profile:
     """Return what x3pio reads from an archive; the description is checked before any arrays of points are allocated."""
     import x3pio
 
@@ -74,18 +74,18 @@ def _profile(archive: bytes, request: Request) -> x3pio.Profile:
         if described.feature_type is not x3pio.FeatureType.PROFILE:
             what = "an area" if described.feature_type is x3pio.FeatureType.SURFACE else "a cloud of points"
             condition = f"hold a profile (feature type PRF), not {what}"
-            raise request.refuse(condition, "extract one line along the body in the measuring software and export that")
+            raise request.error(condition, "extract one line along the body in the measuring software and export that")
         if described.layer_count * described.shape[0] > MOST_POINTS:
-            raise request.refuse(f"hold no more than {MOST_POINTS:,} points", _FEWER)
+            raise request.error(f"hold no more than {MOST_POINTS:,} points", _FEWER)
         profile = x3pio.read(io.BytesIO(archive))
     except x3pio.X3pChecksumError:
-        raise request.refuse("match its checksum (it was changed or damaged)", _AGAIN) from None
+        raise request.error("match its checksum (it was changed or damaged)", _AGAIN) from None
     if not isinstance(profile, x3pio.Profile):
-        raise request.refuse("hold a profile (feature type PRF)", _AGAIN)
+        raise request.error("hold a profile (feature type PRF)", _AGAIN)
     return profile
 
 
-def sound(data: bytes, request: Request) -> bytes:
+def repack(data: bytes, request: Request) -> bytes:
     """Return a new archive of members that were unpacked within the limits, with a description that was checked.
 
     Raises
@@ -94,13 +94,13 @@ def sound(data: bytes, request: Request) -> bytes:
         If it exceeds a limit.
     """
     if data.count(_ENTRY) > _MOST_MEMBERS:
-        raise request.refuse(f"hold no more than {_MOST_MEMBERS:,} files", _AGAIN)
+        raise request.error(f"hold no more than {_MOST_MEMBERS:,} files", _AGAIN)
     room, stream = _LARGEST_UNPACKED, io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(stream, "w") as new:
         for member in old.infolist():
             if member.compress_type not in {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
-                raise request.refuse("be compressed by deflate, as such archives are", _AGAIN)
-            content = _unpacked(old, member, room, request)
+                raise request.error("be compressed by deflate, as such archives are", _AGAIN)
+            content = _unpack(old, member, room, request)
             room -= len(content)
             if member.filename.replace("\\", "/").rsplit("/", 1)[-1] == "main.xml":
                 _look_through(content, request)
@@ -108,13 +108,13 @@ def sound(data: bytes, request: Request) -> bytes:
     return stream.getvalue()
 
 
-def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, most: int, request: Request) -> bytes:
+def _unpack(archive: zipfile.ZipFile, member: zipfile.ZipInfo, most: int, request: Request) -> bytes:
     content = bytearray()
     with archive.open(member) as packed:
         while piece := packed.read(_PIECE):
             content += piece
             if len(content) > most:
-                raise request.refuse(f"unpack to no more than {_LARGEST_UNPACKED // 1_000_000} MB", _FEWER)
+                raise request.error(f"unpack to no more than {_LARGEST_UNPACKED // 1_000_000} MB", _FEWER)
     return bytes(content)
 
 
@@ -122,8 +122,8 @@ def _look_through(description: bytes, request: Request) -> None:
     """Refuse an XML description that could not be parsed into a tree in reasonable time and memory."""
     if len(description) > _LARGEST_DESCRIPTION:
         condition = f"have a description of no more than {_LARGEST_DESCRIPTION // 1_000_000} MB"
-        raise request.refuse(condition, "export the points in binary, or fewer of them")
-    parser, seen = expat.ParserCreate(), _Seen(request)
+        raise request.error(condition, "export the points in binary, or fewer of them")
+    parser, seen = expat.ParserCreate(), _XmlLimits(request)
     parser.StartElementHandler, parser.EndElementHandler = seen.start, seen.end
     parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = seen.text, seen.doctype
     for begin in range(0, len(description), _PIECE):
@@ -131,7 +131,7 @@ def _look_through(description: bytes, request: Request) -> None:
     parser.Parse(b"", True)
 
 
-class _Seen:
+class _XmlLimits:
     """What has been seen of a description: number of elements, their depth, and the characters between two tags."""
 
     def __init__(self, request: Request) -> None:
@@ -141,11 +141,11 @@ class _Seen:
         self.elements, self.depth, self.characters = self.elements + 1, self.depth + 1, 0
         if self.elements > _MOST_ELEMENTS:
             condition = f"have a description of no more than {_MOST_ELEMENTS:,} elements"
-            raise self.request.refuse(condition, "export the points in binary, or fewer of them")
+            raise self.request.error(condition, "export the points in binary, or fewer of them")
         if self.depth > _DEEPEST:
-            raise self.request.refuse(f"have a description nested no deeper than {_DEEPEST} elements", _AGAIN)
+            raise self.request.error(f"have a description nested no deeper than {_DEEPEST} elements", _AGAIN)
         if len(attributes) > _DEEPEST or len(name) + sum(map(len, attributes.values())) > _LONGEST_TEXT:
-            raise self.request.refuse("have a description with shorter names and attributes", _AGAIN)
+            raise self.request.error("have a description with shorter names and attributes", _AGAIN)
 
     def end(self, name: str) -> None:
         self.depth, self.characters = self.depth - 1, 0
@@ -154,13 +154,13 @@ class _Seen:
         self.characters += len(text)
         if self.characters > _LONGEST_TEXT:
             condition = f"have a description whose texts are no longer than {_LONGEST_TEXT:,} characters"
-            raise self.request.refuse(condition, _AGAIN)
+            raise self.request.error(condition, _AGAIN)
 
     def doctype(self, *_: object) -> None:
-        raise self.request.refuse("have a description without definitions of its own (DOCTYPE)", _AGAIN)
+        raise self.request.error("have a description without definitions of its own (DOCTYPE)", _AGAIN)
 
 
-def reason_of(error: Exception) -> str:
+def describe_reason(error: Exception) -> str:
     """Return what a library says of a damaged file, to be put in brackets."""
     text = " ".join(str(error).split()).rstrip(".") or type(error).__name__
     return text[:1].lower() + text[1:120]

@@ -15,7 +15,7 @@ makes any of them from its drop at a place, as a drawing states it.
 from __future__ import annotations
 
 from nonhertz.lazy import dir_of
-from nonhertz.model.profile.base import Moved, Profile, Straight, Sum
+from nonhertz.model.profile.base import Profile, Straight, Sum, Transformed
 from nonhertz.model.profile.circular import Arcs, crown, partial_crown, two_radius
 from nonhertz.model.profile.drop import with_drop
 from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS, ProfileKind
@@ -38,7 +38,7 @@ __all__ = [
     "Arcs",
     "Conical",
     "Logarithmic",
-    "Moved",
+    "Transformed",
     "Profile",
     "ProfileKind",
     "Straight",

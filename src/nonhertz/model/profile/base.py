@@ -109,7 +109,7 @@ class Profile(ABC):
 
     def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
         """Return this profile with its relief multiplied, then shifted [mm], then flipped."""
-        return Moved(self, scale, shift, flip) if (scale, shift, flip) != (1.0, 0.0, False) else self
+        return Transformed(self, scale, shift, flip) if (scale, shift, flip) != (1.0, 0.0, False) else self
 
     def __add__(self, other: Profile) -> Profile:
         if not isinstance(other, Profile):
@@ -198,7 +198,7 @@ class Sum(Formula):
 
 
 @dataclass(frozen=True)
-class Moved(Formula):
+class Transformed(Formula):
     """A profile with its relief multiplied, then shifted along the axis, then flipped.
 
     Where the relief is infinite there is no body, whatever the factor.

@@ -81,7 +81,7 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
     off_the_middle("at", at, AT_REMEDY)
     if kind == "straight":
         raise InputError("drop", drop, "be left out of 'straight', which has no relief", "choose another kind")
-    free = determined(kind, parameters)
+    free = parameter_from_drop(kind, parameters)
     if free is None:
         names = " and ".join(PARAMETERS[kind].by_drop)
         raise InputError("drop", drop, f"not be given together with {names}", "leave one out")
@@ -90,15 +90,15 @@ def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
     if free == SCALE:
         return scaled_to_drop(make(**parameters), kind, drop, at)
     if free in _PROPORTIONAL:
-        return _proportional(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
-    return _searched(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
+        return _scale_parameter(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
+    return _search(lambda value: make(**parameters, **{free: value}), kind, free, drop, at)
 
 
 #: Drops are measured from the middle of the body.
 off_the_middle = number_that(lambda at: at != 0.0, "not be the middle of the body")
 
 
-def determined(kind: str, parameters: Iterable[str]) -> str | None:
+def parameter_from_drop(kind: str, parameters: Iterable[str]) -> str | None:
     """Return what a drop determines beside the given parameters of a kind, `SCALE` if no parameter; None if nothing."""
     names = PARAMETERS[kind].by_drop
     return next((name for name in names if name not in parameters), None) if names else SCALE
@@ -134,11 +134,11 @@ def _own_drop(profile: Profile, kind: str, name: str, at: float) -> float:
     if not math.isfinite(drop):
         raise InputError("at", at, f"be where '{kind}' has a finite relief", "give a place farther inside, in mm")
     if drop == 0.0:
-        raise _without_effect(kind, name, at)
+        raise _no_effect_error(kind, name, at)
     return drop
 
 
-def _without_effect(kind: str, name: str, at: float) -> InputError:
+def _no_effect_error(kind: str, name: str, at: float) -> InputError:
     return InputError("at", at, f"be where the {name} of '{kind}' changes the drop", "give a place farther out, in mm")
 
 
@@ -148,7 +148,7 @@ def _drop(profile: Profile, at: float) -> float:
     return math.nan if math.isinf(middle) else edge - middle
 
 
-def _proportional(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
+def _scale_parameter(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
     value = _PROPORTIONAL[name]
     multiple = drop / _own_drop(make(value(1.0)), kind, name, at)
     try:
@@ -160,17 +160,17 @@ def _proportional(make: Callable[[float], Profile], kind: str, name: str, drop: 
         raise InputError("drop", drop, condition, "check drop and at") from None
 
 
-def _searched(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
+def _search(make: Callable[[float], Profile], kind: str, name: str, drop: float, at: float) -> Profile:
     from scipy.optimize import brentq
 
     if drop == 0.0:
         raise InputError("drop", drop, f"not be zero, which no {name} of '{kind}' makes", "leave the profile out")
-    tried = _tried(make, name, at)
+    tried = _scan(make, name, at)
     drops = [value for _, value in tried if math.isfinite(value)]
     if not drops:
         raise InputError("at", at, f"be where some {name} of '{kind}' has a finite relief", "give a place in mm")
     if max(drops) - min(drops) <= _UNCHANGED * max(drops):
-        raise _without_effect(kind, name, at)
+        raise _no_effect_error(kind, name, at)
 
     def between(share: float, first: float, second: float) -> float:
         # The ends themselves, not rounded, so that the signs found there hold.
@@ -193,7 +193,7 @@ def _searched(make: Callable[[float], Profile], kind: str, name: str, drop: floa
     raise InputError("drop", drop, condition, "check drop and at")
 
 
-def _tried(make: Callable[[float], Profile], name: str, at: float) -> list[tuple[float, float]]:
+def _scan(make: Callable[[float], Profile], name: str, at: float) -> list[tuple[float, float]]:
     """Return values of a parameter with their drops, smallest values first, and then negative ones.
 
     Values that the kind refuses are left out. If it refuses all, another parameter is to blame.

@@ -61,7 +61,7 @@ def kind(
     def decorate(function: Callable[P, Profile]) -> Callable[P, Profile]:
         word, cls = function.__name__.replace("_", "-"), parameters_class(function, ProfileKind)
         cls.by_drop, cls.of_body = by_drop, of_body
-        cls.cross_checks = tuple(_check_of(check) for check in cross_checks)
+        cls.cross_checks = tuple(_as_cross_check(check) for check in cross_checks)
 
         @functools.wraps(function)
         def profile(*values: P.args, **keywords: P.kwargs) -> Profile:
@@ -76,6 +76,6 @@ def kind(
     return decorate
 
 
-def _check_of(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
+def _as_cross_check(check: Callable[..., None]) -> tuple[Callable[[Any], None], frozenset[str]]:
     names = tuple(inspect.signature(check).parameters)
     return (lambda fields: check(*(getattr(fields, name) for name in names))), frozenset(names)

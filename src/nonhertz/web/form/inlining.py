@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from nonhertz.files.held import Held
+from nonhertz.files.document import Document
 from nonhertz.files.paths import Parameter, body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.web.limits import POINTS
 
 
-def inlined(case: Held) -> tuple[dict[str, Any], tuple[str, ...]]:
+def inlined(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Return the document of a case or a bearing with points in place of the files that profiles name, and notes on it.
 
     The points are those that `Held.write` writes. Of the bodies that name files, profiles become lists; there is a

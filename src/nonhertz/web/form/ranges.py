@@ -18,11 +18,11 @@ from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.errors import InputError
 from nonhertz.files.bearing_document import BearingFile, read_document
-from nonhertz.files.documents import OF_BEARINGS
 from nonhertz.files.keys import Table, table_of
 from nonhertz.files.profiles import profile_tables
-from nonhertz.files.reading import read
-from nonhertz.files.sections import Bodies, surroundings
+from nonhertz.files.reading import read_input
+from nonhertz.files.sections import Bodies, read_context
+from nonhertz.files.toml import OF_BEARINGS
 from nonhertz.hertz import half_space_line_compression, line_contact
 from nonhertz.inputs.units import to_unit
 from nonhertz.model.body import Body
@@ -168,7 +168,7 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
     """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes."""
     try:
         if file == "case":
-            bodies = read(Bodies, document.get("body"), surroundings(document, None))
+            bodies = read_input(Bodies, document.get("body"), read_context(document, None))
             return RANGES | _of_contact(Contact(bodies.a, bodies.b))
         parts = {name: document[name] for name in OF_BEARINGS if name in document}
         unloaded = {"radial_displacement": 0.0, "axial_displacement": 0.0}
@@ -203,7 +203,7 @@ def size_of(name: str, value: Any) -> float:
 def _read(given: dict[str, Any], table: Table) -> Body | None:
     """Return the body of a table; None where it has mistakes."""
     try:
-        return read(Body, given, surroundings({}, None), likely=table.likely)
+        return read_input(Body, given, read_context({}, None), likely=table.likely)
     except InputError:
         return None
 

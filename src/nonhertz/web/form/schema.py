@@ -9,10 +9,10 @@ from typing import Any, Final
 from nonhertz.bearing.series import series_table
 from nonhertz.files.bearing_document import BearingFile
 from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.files.documents import parsed
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.schemas import schema_of
 from nonhertz.files.sections import CaseDocument
+from nonhertz.files.toml import parse
 from nonhertz.inputs.descriptions import OneOrTwo, Part
 
 Schema = dict[str, Any]
@@ -88,6 +88,6 @@ def _hints(key: Key) -> Schema:
 
 def _examples() -> dict[str, dict[str, Any]]:
     """Return by kind of bearing what makes any other bearing an example of it."""
-    documents = [parsed(starting_bearing(name), name) for name in BEARING_TEMPLATES]
+    documents = [parse(starting_bearing(name), name) for name in BEARING_TEMPLATES]
     names = [name for name in BearingFile.descriptions if name not in _OF_ALL_BEARINGS]
     return {each["bearing"]["kind"]: {name: each.get(name) for name in names} for each in documents}

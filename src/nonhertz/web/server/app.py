@@ -18,7 +18,7 @@ from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 
 from nonhertz.amounts import US
-from nonhertz.files.documents import meant_as, parsed
+from nonhertz.files.toml import file_kind, parse
 from nonhertz.web.limits import DOCUMENT_BYTES, UPLOAD_BYTES
 from nonhertz.web.server.guard import PAGES, Guard
 from nonhertz.web.server.intake import in_script
@@ -55,14 +55,12 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
     loader = jinja2.PackageLoader("nonhertz.web")
     templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
     templates.globals["us"] = Markup(in_script(dict(US.table)))
-    first = BEARING if meant_as(document) == "bearing" else CONTACT
+    first = BEARING if file_kind(document) == "bearing" else CONTACT
     pages = {}
     for kind in (CONTACT, BEARING):
         # The other page starts with what 'nonhertz new' writes.
         begun = text if kind is first else kind.template()
-        pages[kind.name] = Page(
-            kind, document if kind is first else parsed(begun, kind.name), begun, workers, templates
-        )
+        pages[kind.name] = Page(kind, document if kind is first else parse(begun, kind.name), begun, workers, templates)
     contacts = pages["case"]
 
     async def opened(request: Request) -> Response:

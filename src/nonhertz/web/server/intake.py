@@ -9,7 +9,7 @@ import anyio
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect, Request
 
-from nonhertz.files.bounds import NESTING, deeper
+from nonhertz.files.bounds import NESTING, is_deeper
 from nonhertz.web.limits import BODY_SECONDS
 
 
@@ -68,7 +68,7 @@ def json_object(text: bytes) -> dict[str, Any]:
         raise HTTPException(400, f"The request must be JSON ({reason}).") from None
     if not isinstance(value, dict):
         raise HTTPException(400, "The request must be a JSON object.")
-    if deeper(value, NESTING):
+    if is_deeper(value, NESTING):
         raise HTTPException(400, "The JSON is nested too deeply.")
     return value
 

@@ -18,7 +18,7 @@ from starlette.routing import Route
 
 from nonhertz import __version__
 from nonhertz.errors import CaseError
-from nonhertz.files.documents import parsed
+from nonhertz.files.toml import parse
 from nonhertz.web.form.ranges import ENDS, form_state
 from nonhertz.web.form.schema import form_schema
 from nonhertz.web.form.units import units_of_fields
@@ -140,7 +140,7 @@ class Page:
         if name not in self.kind.templates:
             raise HTTPException(404)
         text = self.kind.template(name)
-        return reply({"ok": True, "document": parsed(text, name), "text": text})
+        return reply({"ok": True, "document": parse(text, name), "text": text})
 
     async def status(self, request: Request) -> Response:
         """Answer whether the processes are ready."""

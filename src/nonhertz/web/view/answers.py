@@ -12,9 +12,9 @@ from nonhertz.errors import InputError
 from nonhertz.figures import contact
 from nonhertz.figures.roller import relief_between
 from nonhertz.files.casefile import Case
-from nonhertz.files.reading import read
+from nonhertz.files.reading import read_input
 from nonhertz.files.results import plain
-from nonhertz.files.sections import surroundings
+from nonhertz.files.sections import read_context
 from nonhertz.model.body import Body
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
@@ -100,7 +100,7 @@ def drawable(bodies: Any) -> dict[str, Any]:
     made = {}
     for name in ("a", "b"):
         try:
-            made[name] = relief_of(read(Body, bodies.get(name), surroundings({"body": bodies}, None)))
+            made[name] = relief_of(read_input(Body, bodies.get(name), read_context({"body": bodies}, None)))
         except (AttributeError, InputError, ValueError):
             continue
     return made

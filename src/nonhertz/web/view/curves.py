@@ -8,7 +8,7 @@ from typing import Any, Final
 from nonhertz.amounts import display_units
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
-from nonhertz.files.paths import parameter, parameters
+from nonhertz.files.paths import find_parameter, list_parameters
 from nonhertz.files.results import plain
 from nonhertz.show.solving import attempted
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
@@ -34,7 +34,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
     """
     begun = time.perf_counter()
     sound(document, Case)
-    varied = parameter(path, parameters(document, Case.contents))
+    varied = find_parameter(path, list_parameters(document, Case.contents))
     life = document.get("life")
     # Under a spectrum every point would be a dozen solutions.
     with_life = isinstance(life, dict) and "spectrum" not in life

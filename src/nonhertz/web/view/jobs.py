@@ -13,13 +13,13 @@ from nonhertz.amounts import current_units
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
 from nonhertz.files.bearing_document import PARTS
-from nonhertz.files.bearingfile import BearingCase, placed, starting_bearing
+from nonhertz.files.bearingfile import BearingCase, starting_bearing, with_file_path
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.catalogue import guess_of_catalogue, guessed_document, text_of_guess
-from nonhertz.files.commented import as_toml_like
-from nonhertz.files.documents import parsed
-from nonhertz.files.held import HeldCase
+from nonhertz.files.commented import update_toml
+from nonhertz.files.document import CaseBase
 from nonhertz.files.resultfile import Result
+from nonhertz.files.toml import parse
 from nonhertz.model.body import BodyName
 from nonhertz.show.solving import attempted
 from nonhertz.web.limits import is_number, refuse, too_long, too_slow, unfit
@@ -29,7 +29,7 @@ from nonhertz.web.view.replies import broken, job, misfit
 from nonhertz.web.view.stresses import strength_answer, stress_answer
 
 Method = Literal["strips", "slices"]
-Held = TypeVar("Held", bound=HeldCase)
+Document = TypeVar("Document", bound=CaseBase)
 
 #: The bearings that this process solved last, the one on the page and what is pinned: whoever chooses a roller or opens
 #: a contact need not wait for strips again.
@@ -41,7 +41,7 @@ _LONGEST_NUMBER: Final = 100  # characters
 _BOUNDARY: Final = ("bearing.bore", "bearing.outside_diameter", "bearing.width", "bearing.contact_angle")
 
 
-def sound(document: dict[str, Any], kind: type[Held]) -> Held:
+def sound(document: dict[str, Any], kind: type[Document]) -> Document:
     """Return the case or the bearing in a document; no file that it names is read.
 
     Raises
@@ -110,7 +110,7 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
             if solution.method == "strips":
                 solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
         except InputError as error:
-            raise placed(error, document=case.document) from None
+            raise with_file_path(error, document=case.document) from None
         if solution.method == "slices" and case.life.edge_stress == "pressure":
             # They have no pressures: without the word, life is that of the standard's edges.
             case = replace(case, life=replace(case.life, edge_stress=None))
@@ -127,7 +127,7 @@ def document_in(content: bytes) -> dict[str, Any]:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         return broken([("", "The file must be text in UTF-8: save it with that encoding.")])
-    document = as_json_has_it(parsed(text, "The file"))
+    document = as_json_has_it(parse(text, "The file"))
     refuse(too_long(document))
     return {"ok": True, "document": document, "text": text}
 
@@ -172,7 +172,7 @@ def as_json_has_it(value: Any) -> Any:
 def file(document: dict[str, Any], text: str) -> bytes:
     """Return a case or a bearing, which need not be solvable, as a file: like the one that it was read from, if any."""
     refuse(unfit(document))
-    return as_toml_like(document, text).encode()
+    return update_toml(document, text).encode()
 
 
 @job
@@ -209,12 +209,12 @@ def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
 def warm_up() -> None:
     """Solve the starting case with stresses, so that everything is loaded."""
     # With a unit, so that the units library, which takes a second, is loaded too.
-    solve(parsed(starting_case(), "case.toml") | {"load": {"load": "20 kN"}}, True, "a")
+    solve(parse(starting_case(), "case.toml") | {"load": {"load": "20 kN"}}, True, "a")
 
 
 def warm_up_bearing() -> None:
     """Solve the starting bearing by slices, so that everything is loaded."""
-    load(parsed(starting_bearing(), "bearing.toml"), "slices")
+    load(parse(starting_bearing(), "bearing.toml"), "slices")
 
 
 def step_back() -> None:

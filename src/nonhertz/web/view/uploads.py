@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
-from nonhertz.files.measured import checked, measured_in
+from nonhertz.files.measured import read_measured, validate_key
 from nonhertz.measured import Measured, StepResult, Trace
 from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS
@@ -44,13 +44,13 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[s
     values, mistakes = {}, []
     for option, text in options.items():
         try:
-            values[option] = checked(option, _value(text))
+            values[option] = validate_key(option, _value(text))
         except InputError as error:
             mistakes.append((_path(option), str(error)))
     if mistakes:
         return broken(mistakes)
     try:
-        return _answer(measured_in(content, values, name, _averaged), values.get("interpolation"))
+        return _answer(read_measured(content, values, name, _averaged), values.get("interpolation"))
     except InputError as error:
         return broken([(_path(error.field), str(error))])
 

@@ -13,11 +13,11 @@ from typing import Any, ClassVar, Self, get_args, get_type_hints
 
 from nonhertz.errors import AccuracyWarning, InputError, joined
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, walk
-from nonhertz.files.changes import changed
-from nonhertz.files.documents import as_toml, opened
+from nonhertz.files.changes import apply_changes
 from nonhertz.files.folder import write_file
-from nonhertz.files.mistakes import case_error, in_order
+from nonhertz.files.mistakes import case_error, sort_by_place
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.files.toml import load_document, to_toml
 from nonhertz.findings import Finding
 from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import one_line
@@ -68,7 +68,7 @@ class Origin:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Held:
+class Document:
     """Base of what a file holds.
 
     Attributes
@@ -91,11 +91,11 @@ class Held:
 
     def __post_init__(self) -> None:
         cls: Any = type(self)
-        for name, kinds in _classes_of(cls).items():
+        for name, kinds in _field_classes(cls).items():
             value = getattr(self, name)
             # An input may be given by its keywords.
             if isinstance(value, Mapping) and issubclass(kinds[0], Input) and not kinds[0].kinds:
-                value = _made(name, kinds[0], value)
+                value = _build_input(name, kinds[0], value)
                 object.__setattr__(self, name, value)
             if not isinstance(value, kinds):
                 words = joined((kind.__name__ for kind in kinds if kind is not NoneType), "or")
@@ -105,7 +105,7 @@ class Held:
     def __repr__(self) -> str:
         return short_repr(self)
 
-    def _held_in(self, origin: Origin) -> Self:
+    def _with_origin(self, origin: Origin) -> Self:
         """Note what the file held from which it has just been read, and return it."""
         object.__setattr__(self, "origin", origin)
         return self
@@ -133,11 +133,11 @@ class Held:
     def text(self) -> str:
         """The text of its file, or what `write` would write; raises as that does."""
         text = None if self.origin is None else self.origin.text
-        return as_toml(self.document) if text is None else text
+        return to_toml(self.document) if text is None else text
 
     def document_in(self, folder: Path) -> dict[str, Any]:
         """Return its document as a file in another folder holds it: the names of files are relative to that."""
-        document: dict[str, Any] = _moved(self.document, self.path.parent, folder)
+        document: dict[str, Any] = _relocate(self.document, self.path.parent, folder)
         return document
 
     def _written(self, folder: Path) -> dict[str, Any]:
@@ -169,7 +169,7 @@ class Held:
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
         path = Path(path)
-        text = as_toml(self._written(path.parent))
+        text = to_toml(self._written(path.parent))
         if len(text) > LARGEST_CASE:
             condition = f"fit into a case file of at most {LARGEST_CASE / 1e6:g} MB"
             raise InputError("profile", f"{len(text) / 1e6:.1f} MB", condition, "smooth it or take every tenth point")
@@ -177,7 +177,7 @@ class Held:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class HeldCase(Held):
+class CaseBase(Document):
     """Base of a case and a bearing case.
 
     Attributes
@@ -216,7 +216,7 @@ class HeldCase(Held):
     @classmethod
     def read(cls, path: str | Path, changes: Mapping[str, Any] | None = None) -> Self:
         """Return what a file holds, with changes as of ``of``."""
-        return cls.of(*opened(path, cls.kind), changes=changes)
+        return cls.of(*load_document(path, cls.kind), changes=changes)
 
     @classmethod
     def of(
@@ -249,31 +249,31 @@ class HeldCase(Held):
             With every mistake in the document, one sentence each.
         """
         if changes is not None:
-            document, text = changed(document, text, changes, cls.contents)
+            document, text = apply_changes(document, text, changes, cls.contents)
         folder = path.parent if files else None
         try:
             with warnings.catch_warnings(record=True, action="always", category=AccuracyWarning) as caught:
                 inputs = cls.contents_of(document, folder)
         except InputError as error:
-            raise case_error(in_order(error.each, document)) from None
+            raise case_error(sort_by_place(error.each, document)) from None
         for warning in caught:
             warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
         notes = dict.fromkeys(str(w.message) for w in caught if issubclass(w.category, AccuracyWarning))
         names = [field.name for field in fields(cls) if field.init and field.name not in ("title", "path")]
         arguments = {name: getattr(inputs, cls.elsewhere.get(name, name)) for name in names}
         made = cls(title=inputs.title or printable_name(path.stem), path=path, **arguments)
-        return made._held_in(Origin(document, text, tuple(notes), folder))
+        return made._with_origin(Origin(document, text, tuple(notes), folder))
 
 
 @cache
-def _classes_of(cls: type[Any]) -> dict[str, tuple[type[Any], ...]]:
+def _field_classes(cls: type[Any]) -> dict[str, tuple[type[Any], ...]]:
     """Return the classes that each field of a file must be of, where it is one value."""
     hints = get_type_hints(cls)
     kinds = {field.name: hints[field.name] for field in fields(cls) if field.init}
     return {name: get_args(kind) or (kind,) for name, kind in kinds.items() if isinstance(kind, type | UnionType)}
 
 
-def _made(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
+def _build_input(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
     """Return the input that keywords make."""
     for key, value in keywords.items():
         if key not in kind.descriptions:
@@ -284,9 +284,9 @@ def _made(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
         raise error.within(name) from None
 
 
-def _moved(value: Any, old: Path, new: Path) -> Any:
+def _relocate(value: Any, old: Path, new: Path) -> Any:
     if isinstance(value, dict):
-        moved = {key: _moved(entry, old, new) for key, entry in value.items()}
+        moved = {key: _relocate(entry, old, new) for key, entry in value.items()}
         names = {key: value[key] for key in ("file", "case") if key in value and not Path(value[key]).is_absolute()}
         return moved | {key: relative_path(new, old / name).as_posix() for key, name in names.items()}
-    return [_moved(entry, old, new) for entry in value] if isinstance(value, list) else value
+    return [_relocate(entry, old, new) for entry in value] if isinstance(value, list) else value

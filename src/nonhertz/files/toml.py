@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError, joined, nearest
-from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, excess, has_long_key
+from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, exceeded_limit, has_long_key
 from nonhertz.files.mistakes import path_of
 from nonhertz.inputs.checks import one_of
 from nonhertz.inputs.files import read_bytes
@@ -25,33 +25,33 @@ _CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan
 _COMMANDS = {"case": "solve", "bearing": "bearing", "plan": "sweep"}
 
 
-def meant_as(document: Mapping[str, Any]) -> str:
+def file_kind(document: Mapping[str, Any]) -> str:
     """Return the kind of file that a document is meant as, empty if that cannot be told.
 
     Examples
     --------
-    >>> [meant_as(each) for each in ({"body": {}, "load": {}}, {"roller": {}}, {"case": "roller.toml", "over": {}})]
+    >>> [file_kind(each) for each in ({"body": {}, "load": {}}, {"roller": {}}, {"case": "roller.toml", "over": {}})]
     ['case', 'bearing', 'plan']
     """
     if "body" in document:
         return "" if "bearing" in document else "case"
     if any(name in document for name in OF_BEARINGS):
         return "bearing"
-    return "plan" if holds_plan(document) else ""
+    return "plan" if is_plan(document) else ""
 
 
-def holds_plan(document: Mapping[str, Any]) -> bool:
+def is_plan(document: Mapping[str, Any]) -> bool:
     """Return whether a document has what only plans have.
 
     Examples
     --------
-    >>> holds_plan({"case": "roller.toml", "over": {}}), holds_plan({"body": {}, "load": {}})
+    >>> is_plan({"case": "roller.toml", "over": {}}), is_plan({"body": {}, "load": {}})
     (True, False)
     """
     return any(name in document for name in OF_PLANS)
 
 
-def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
+def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     """Return the document in a file, its path and its text. It is read only once, since it may be a pipe.
 
     Parameters
@@ -77,10 +77,10 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
         text = read_bytes(path, LARGEST_CASE).decode("utf-8-sig")
     except FileNotFoundError:
         new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
-        way_out = f"give the path of a {what}, or begin with one from '{new} {path}'"
+        hint = f"give the path of a {what}, or begin with one from '{new} {path}'"
         beside = {file.stem: file for file in path.parent.glob("*.toml")}
         meant = nearest(path.stem, beside)
-        sentence = f"{path} must exist: {way_out}."
+        sentence = f"{path} must exist: {hint}."
         if meant:
             sentence = f"{path} does not exist. Did you mean {beside[meant]}?"
     except IsADirectoryError:
@@ -91,11 +91,11 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         too_large = getattr(error, "errno", None) == errno.EFBIG
-        way_out = "put measured points into a file that it names" if too_large else "check path and permissions"
-        sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {way_out}."
+        hint = "put measured points into a file that it names" if too_large else "check path and permissions"
+        sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {hint}."
     else:
-        document = parsed(text, str(path))
-        kind = meant_as(document)
+        document = parse(text, str(path))
+        kind = file_kind(document)
         if not kind or kind in kinds or "plan" in kinds:
             return document, path, text
         contents = joined((_CONTENTS[kind_] for kind_ in kinds), "or")
@@ -103,7 +103,7 @@ def opened(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, str]:
     raise CaseError([sentence])
 
 
-def parsed(text: str, name: str) -> dict[str, Any]:
+def parse(text: str, name: str) -> dict[str, Any]:
     """Return the document in the text of a case file; ``name`` is what error messages call it.
 
     Raises
@@ -117,19 +117,19 @@ def parsed(text: str, name: str) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        reason = _in_words(str(error).rstrip(".")) + _meant(text, str(error))
+        reason = _translate_reason(str(error).rstrip(".")) + _suggest_number(text, str(error))
     except RecursionError:
         reason = TOO_DEEP
     except ValueError:  # Python's limit on the digits of an integer
         reason = "a number has thousands of digits"
     else:
-        if too_much := excess(document):
+        if too_much := exceeded_limit(document):
             raise CaseError([f"{name} must be a case file: {too_much}."])
         return document
     raise CaseError([f"{name} must be valid TOML: {reason[:1].lower()}{reason[1:]}."])
 
 
-def _in_words(reason: str) -> str:
+def _translate_reason(reason: str) -> str:
     """Return the parser's reason without its own terms for what is given twice."""
     if match := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
         keys = path_of(ast.literal_eval(f"({match[1]},)"))
@@ -137,7 +137,7 @@ def _in_words(reason: str) -> str:
     return re.sub(r"Cannot overwrite a value|Duplicate inline table key '.*?'", "a key is given twice", reason)
 
 
-def _meant(text: str, reason: str) -> str:
+def _suggest_number(text: str, reason: str) -> str:
     """Return what to do about a line of TOML that is a number as people write it: with a comma, or with its unit."""
     place = re.search(r"at line (\d+)", reason)
     line = text.split("\n")[int(place[1]) - 1] if place else ""
@@ -149,12 +149,12 @@ def _meant(text: str, reason: str) -> str:
     return ""
 
 
-def as_toml(document: dict[str, Any]) -> str:
+def to_toml(document: dict[str, Any]) -> str:
     """Return a document as the text of a case file.
 
     Examples
     --------
-    >>> print(as_toml({"load": {"load": "20 kN"}}), end="")
+    >>> print(to_toml({"load": {"load": "20 kN"}}), end="")
     [load]
     load = "20 kN"
     """
@@ -198,12 +198,12 @@ def write_new(text: str, path: str | Path) -> None:
         raise CaseError([f"{path} already exists: choose another name, since nothing is overwritten."]) from None
     except (OSError, ValueError) as error:
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        way_out = "choose another name" if path.parent.is_dir() else "make its folder first"
-        raise CaseError([f"{path} cannot be written ({reason}): {way_out}."]) from None
+        hint = "choose another name" if path.parent.is_dir() else "make its folder first"
+        raise CaseError([f"{path} cannot be written ({reason}): {hint}."]) from None
 
 
 @contextlib.contextmanager
-def named(path: str | Path) -> Iterator[None]:
+def name_file_in_errors(path: str | Path) -> Iterator[None]:
     """Put the file's name in front of every mistake raised in a ``with`` block, unless it is there already."""
     try:
         yield
