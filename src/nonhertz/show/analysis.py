@@ -117,7 +117,7 @@ def models_for(
 
     The lamina model needs a finite length: where a contact has none, it is left out unless requested by name.
     """
-    models = case.life.made_models(dict.fromkeys(names))
+    models = case.life.build_models(dict.fromkeys(names))
     lengths = [np.ptp(compared_case.contact.interval) for compared_case in (case, *others)]
     if names or case.life.models or np.isfinite(lengths).all():
         return models, ()
