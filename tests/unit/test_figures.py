@@ -9,7 +9,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.amounts import display_units
-from nonhertz.figures import bearing, contact, stress
+from nonhertz.figures import bearing, contact, perspective, stress
 from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.overlay import compared_contacts
 from nonhertz.figures.roller import roller_lines
@@ -270,3 +270,22 @@ def test_cases_over_each_other_have_colours_and_dashes_of_their_own():
     legends = [ax.get_legend() for ax in sheet.axes]
     assert [text.get_text() for text in legends[0].get_texts()] == [line.name for line in lines]
     assert legends[1:] == [None, None]
+
+
+def test_ridges_in_perspective_are_the_pressures_above_slanted_lines():
+    roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1200))
+    rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
+    row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
+    loaded = nh.bearing.solve(row, radial=5e3)
+    figure = perspective.pressure_ridges(loaded, points=21)
+    for panel, ring in zip(figure.panels, (0, 1), strict=True):
+        lines = [mark for mark in panel.marks if isinstance(mark, Line)]
+        stands = [line for line in lines if line.x.size == 2]
+        ridges = [line for line in lines if line.x.size == 21]
+        assert len(stands) == 13
+        assert len(ridges) == np.count_nonzero(loaded.load[:, ring])
+        heights = [ridge.y - np.interp(ridge.x, stand.x, stand.y) for ridge in ridges for stand in stands
+                   if stand.x[0] == ridge.x[0]]  # fmt: skip
+        assert max(height.max() for height in heights) == pytest.approx(loaded.max_pressure[:, ring].max(), rel=1e-3)
+        assert all(height.min() >= -1e-9 for height in heights)
+        assert [bool(ridge.name) for ridge in ridges] == [True] + [False] * (len(ridges) - 1)

@@ -175,7 +175,7 @@ class TestDisplacement:
 
 class TestFigures:
     def test_all_four_and_fewer_where_there_is_less(self, tilted):
-        assert list(plot.bearing_figures(tilted)) == ["loads", "pressure", "roller", "displacement"]
+        assert list(plot.bearing_figures(tilted)) == ["loads", "pressure", "perspective", "roller", "displacement"]
         assert list(plot.bearing_figures(B.solve(row(), radial=5e3, method="slices"))) == ["loads", "displacement"]
         assert list(plot.bearing_figures(B.solve(row(), radial=0.0))) == ["loads"]
 

@@ -15,6 +15,7 @@ from nonhertz.figures.displacement import displacement_against_load
 from nonhertz.figures.film import film_figures
 from nonhertz.figures.forces import conditions, directions
 from nonhertz.figures.loads import roller_loads
+from nonhertz.figures.perspective import pressure_ridges
 from nonhertz.figures.roller import roller_lines
 from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, Span
 
@@ -34,7 +35,11 @@ def figures_of(
     """Return all figures of a loaded bearing by the names of their files; those that `bearing_figures` has."""
     drawn = {"loads": roller_loads(solution)}
     if solution.method == "strips" and solution.load.any():
-        drawn |= {"pressure": pressure_maps(solution), "roller": roller_lines(solution)}
+        drawn |= {
+            "pressure": pressure_maps(solution),
+            "perspective": pressure_ridges(solution),
+            "roller": roller_lines(solution),
+        }
     if directions(solution):
         drawn["displacement"] = displacement_against_load(solution, maps)
     return drawn | ({} if films is None else film_figures(films))

@@ -93,8 +93,9 @@ def bearing_figures(
     Returns
     -------
     dict of str to matplotlib.figure.Figure
-        Keys ``"loads"``, ``"pressure"`` and ``"roller"`` (by strips, if any roller is loaded), and ``"displacement"``
-        (if a force acts on the inner ring), with films ``"film"`` and ``"film-along"``; `save` writes them.
+        Keys ``"loads"``, ``"pressure"``, ``"perspective"`` and ``"roller"`` (by strips, if any roller is loaded), and
+        ``"displacement"`` (if a force acts on the inner ring), with films ``"film"`` and ``"film-along"``; `save`
+        writes them.
     """
     return _drawn(bearing.figures_of(solution, maps, films), title)
 

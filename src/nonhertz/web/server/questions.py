@@ -160,7 +160,7 @@ BEARING: Final = Kind(
         },
         **{
             f"download/{name}.{ending}": Question(partial(jobs.drawn, name=name, kind=ending), (), "apart", "bearing")
-            for name in ("loads", "pressure", "roller", "film", "film-along", "displacement")
+            for name in ("loads", "pressure", "perspective", "roller", "film", "film-along", "displacement")
             for ending in ("svg", "png")
         },
     },
