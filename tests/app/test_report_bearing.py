@@ -18,6 +18,7 @@ from nonhertz.report import MARK, BearingResults, compose, examined, rendered, s
 from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
+from nonhertz.report.method import method
 from nonhertz.report.overview import first_numbers, geometry
 from nonhertz.show.bearing import life_rows, summary_rows
 from nonhertz.show.beside import beside
@@ -102,8 +103,7 @@ def test_a_bearing_file_becomes_one_page_with_its_files(folder, run):
     assert set(page.files()) == {"few.toml", "crown.csv", "few-rollers.csv", "few-result.json"}
     headings = re.findall(r"<h[23][^>]*>([^<]*)<", text)
     assert headings == [
-        "Results", "Ratings and life", "Film", "Friction", "Limits of makers", "Speeds and frequencies", "All rollers",
-        "Inputs",
+        "Results", "Ratings and life", "Film, friction and frequencies", "Limits of makers", "All rollers", "Inputs",
         "Assumptions and whether they hold", "Method",
         "References", "Files",
     ]  # fmt: skip
@@ -120,6 +120,16 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
     solved = read_bearing(tmp_path / "again" / "few.toml").solve()
     assert json.loads(files["few-result.json"])["load"] == solved.load.tolist()
     assert len(files["few-rollers.csv"].splitlines()) == 1 + solved.angle.size
+
+
+def test_references_are_those_of_what_was_used(folder):
+    """Classes name their standards; nothing is said of standards, makers and films that have no part in it."""
+    example = Path(__file__).parents[2] / "examples" / "nu206-classes.toml"
+    with_classes, plain = method(found_in(example.read_text("utf-8")))[1], method(found_in(PLAIN))[1]
+    for standard in ("ISO 286-1:2010", "ISO 492:2014", "ISO 5753-1:2009", "NTN", "Pan, B. J. Hamrock"):
+        assert any(standard in each for each in with_classes)
+        assert not any(standard in each for each in plain)
+    assert not any("ZKL" in each or "point contacts" in each for each in with_classes)
 
 
 def test_mixed_lists_are_refused_in_a_sentence(folder, run):

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Final
 
 from nonhertz.figures import bearing, contact
 from nonhertz.figures.life import life_densities
 from nonhertz.figures.overlay import compared_bearings, compared_contacts
-from nonhertz.figures.value import Figure
+from nonhertz.figures.value import Axis, Figure
 from nonhertz.plot import dent_figure
 from nonhertz.plot.drawer import sheet_of
 from nonhertz.plot.style import sheet_style
 from nonhertz.plot.subsurface import stress_planes_drawn
 from nonhertz.report.results import BearingResults, CaseResults, Results
+from nonhertz.show.bearing import ALL_ROLLERS
 from nonhertz.show.sections import Picture
+
+OF_OPERATION: Final = "Film, friction and frequencies"
+_LOWER, _MOST_TICKS = 0.64, 5  # of the height of panels, and ticks of half the width
 
 
 def belonging(found: Results) -> dict[str, list[Picture]]:
@@ -26,8 +32,35 @@ def belonging(found: Results) -> dict[str, list[Picture]]:
         values, more = {}, {}
         if found.solution is not None:
             values = bearing.figures_of(found.solution, films=found.case.films(found.solution))
+            more = {OF_OPERATION: _drawn(_of_films(values)), ALL_ROLLERS: _drawn(_named(values, "roller"))}
+            values = _named(values, "loads", "pressure", "displacement")
     drawn = _drawn(values)
     return {"": drawn[:1], "Results": drawn[1:]} | more
+
+
+def _named(values: Mapping[str, Figure], *names: str) -> dict[str, Figure]:
+    """Return the figures of these names, as far as there are any, with lower panels: lettering stays as large."""
+    return {
+        name: replace(figure, panels=[replace(panel, height=round(_LOWER * panel.height)) for panel in figure.panels])
+        for name, figure in values.items()
+        if name in names
+    }
+
+
+def _of_films(values: Mapping[str, Figure]) -> dict[str, Figure]:
+    """Return the figures of films beside each other on one sheet; none if there are none."""
+    films = [*_named(values, "film", "film-along").values()]
+    if not films:
+        return {}
+    panels = [replace(panel, along=_half(figure.along)) for figure in films for panel in figure.panels]
+    panels = [replace(panel, beside=bool(number % 2)) for number, panel in enumerate(panels)]
+    captions = " ".join(figure.caption for figure in films)
+    return {"films": Figure(films[0].along, panels, films[0].conditions, captions)}
+
+
+def _half(along: Axis) -> Axis:
+    """Return an axis for half the width, with every second tick of many."""
+    return replace(along, ticks=along.ticks[::2]) if len(along.ticks) > _MOST_TICKS else along
 
 
 def _drawn(values: Mapping[str, Figure]) -> list[Picture]:

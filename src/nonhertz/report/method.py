@@ -8,10 +8,15 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping
+from itertools import chain
 from typing import Any
 
+import numpy as np
+
+from nonhertz.bearing.film import Films
 from nonhertz.bearing.ratings import rating
 from nonhertz.errors import joined
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.hertz import point_contact
@@ -40,18 +45,29 @@ _STANDARDS = (
 _REFERENCE_LIFE = (
     "ISO/TS 16281:2008, Methods for calculating the modified reference rating life for universally loaded bearings."
 )
-_FILMS = (
+_LINE_FILMS = (
     "J. Pan, B. J. Hamrock, Simple formulas for performance parameters used in elastohydrodynamically lubricated line "
     "contacts, Journal of Tribology 111 (1989) 246-251.",
     "D. Dowson, G. R. Higginson, Elasto-hydrodynamic Lubrication (1966).",
+)
+_ELLIPSE_FILMS = (
     "B. J. Hamrock, D. Dowson, Isothermal elastohydrodynamic lubrication of point contacts, part III, Journal of "
     "Lubrication Technology 99 (1977) 264-276.",
 )
-_MAKERS = (
-    "INA/FAG, Rolling Bearings, catalogue HR 1 (2006).",
-    "SKF, Rolling bearings (2018).",
-    "NTN, Ball and Roller Bearings, catalogue 2203/E.",
+_SCHAEFFLER = "INA/FAG, Rolling Bearings, catalogue HR 1 (2006)."
+_SKF = "SKF, Rolling bearings (2018)."
+#: By the kinds of limits.
+_OF_LIMITS = {
+    "rib-limit": (_SKF, _SCHAEFFLER),
+    "least-load": (_SKF,),
+    "hoop-stress": ("NTN, Ball and Roller Bearings, catalogue 2203/E.",),
+    "additives": ("SKF, Viscosity ratio (skf.com).", "ZKL, Rolling Bearings, catalogue 4/10."),
+}
+_SEATS = (
+    "ISO 286-1:2010, ISO code system for tolerances on linear sizes.",
+    "ISO 492:2014, Rolling bearings: radial bearings, geometrical product specifications and tolerance values.",
 )
+_GROUPS = ("ISO 5753-1:2009, Rolling bearings: radial internal clearance of radial bearings.",)
 _STRIPS = (
     "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "
     "both elastic bodies."
@@ -123,6 +139,11 @@ def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
 
 
 def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    yield from chain(_of_rows(found), _of_classes(found.case), _of_operation(found))
+
+
+def _of_rows(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    """Yield how rollers, rings and ribs are solved."""
     strips = found.case.solver.method == "strips"
     row = found.case.bearing.rows[0].bearing
     profiles = [*_profile_sources(found.case.document)]
@@ -143,6 +164,22 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
     if row.rib_contacts:
         words = "Ribs press on the spherical ends of the rollers over ellipses after Hertz." if strips else ""
         yield words, [source(point_contact)]
+
+
+def _of_classes(case: BearingCase) -> Iterator[tuple[str, list[str]]]:
+    """Yield what classes of fits and groups of clearance stand for."""
+    fit = case.fit
+    seats = fit is not None and any(seat.fit and seat.interference is None for seat in (fit.shaft, fit.housing))
+    group = isinstance(getattr(case.bearing.rows[0].bearing, "clearance", None), str)
+    if seats or group:
+        used = ["Seats have the limits of ISO 286 and rings those of ISO 492."] if seats else []
+        used += ["The clearance has those of its group in ISO 5753-1."] if group else []
+        yield " ".join([*used, "The likely value is the mean."]), [*_SEATS * seats, *_GROUPS * group]
+
+
+def _of_operation(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    """Yield how lives, films, friction and limits are found."""
+    strips = found.case.solver.method == "strips"
     if found.life is not None:
         edges = " The edges of the laminae take the pressures of the strips." if strips else ""
         words = (
@@ -156,21 +193,28 @@ def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
             "its own load, radius and speed, or of an ellipse; what flows along the contact is neglected. Rollers roll "
             "without sliding in the middle of their length."
         )
-        yield words, [*_FILMS]
+        yield words, _sources_of_films(found.case.films(found.solution))
     if found.solution is not None and found.case.friction(found.solution) is not None:
         words = (
             "Friction torque and power are empirical, after Palmgren, with the factors that makers publish by series; "
             "the thermal speed is the one at which this torque makes the heat that ISO 15312 lets the seats lead away."
         )
-        yield words, [_MAKERS[0], "ISO 15312:2018, Rolling bearings - Thermal speed rating - Calculation."]
-    if found.solution is not None and found.case.limits(found.solution):
-        yield "Limits of makers are rules of thumb of their catalogues.", [*_MAKERS]
+        yield words, [_SCHAEFFLER, "ISO 15312:2018, Rolling bearings - Thermal speed rating - Calculation."]
+    if found.solution is not None and (limits := found.case.limits(found.solution)):
+        sources = [each for _, limit in limits for each in _OF_LIMITS.get(limit.kind, ())]
+        yield "Limits of makers are rules of thumb of their catalogues.", sources
     if found.slices is not None:
         words = (
             "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "
             "contacts in series for each roller."
         )
         yield words, [_REFERENCE_LIFE]
+
+
+def _sources_of_films(films: Films | None) -> list[str]:
+    """Return the publications behind films of lines and of ellipses, as far as there are any."""
+    ellipses = [] if films is None else films.elliptic[films.solution.load > 0.0]
+    return [*(() if np.all(ellipses) else _LINE_FILMS), *(_ELLIPSE_FILMS if np.any(ellipses) else ())]
 
 
 def _profile_sources(document: Mapping[str, Any]) -> Iterator[str]:

@@ -29,8 +29,9 @@ from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.beside import Cells, Compared, beside
-from nonhertz.show.sections import Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
+from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
 
+_SHORT = ("Film", "Friction", "Speeds and frequencies")
 MOST_NAMED = 3  # cases that the title of a comparison names
 
 _OF_CONTACT = Words(
@@ -128,7 +129,7 @@ def _shown(found: Results) -> list[Section]:
     if isinstance(found, BearingResults):
         if found.solution is None:
             return []
-        sections = bearing.sections(found.case, found.solution, found.life, found.reason)
+        sections = _joined(bearing.sections(found.case, found.solution, found.life, found.reason))
         if found.slices is not None:
             sections += bearing.compared_sections(found.case, found.solution, found.slices)
         return sections
@@ -136,6 +137,28 @@ def _shown(found: Results) -> list[Section]:
     if found.stress is not None:
         sections += stresses.sections(found.solution, *found.stress, found.strengths)
     return sections + (life_shown.sections(found.lives) if found.lives else [])
+
+
+def _joined(sections: Sequence[Section]) -> list[Section]:
+    """Return sections, of which those of short summaries share a heading and stand beside each other on paper."""
+    sections = [*map(_without_method, sections)]
+    short = [section for section in sections if section.title in _SHORT]
+    blocks = [replace(block, title=title) for title, blocks in short for block in blocks if isinstance(block, Table)]
+    return [
+        Section(figures.OF_OPERATION, blocks) if section in short else section
+        for section in sections
+        if section not in short[1:]
+    ]
+
+
+def _without_method(section: Section) -> Section:
+    """Return a section without the rows on the method, which has a section of its own in a report."""
+    blocks = []
+    for block in section.blocks:
+        names = [row[0] for row in block.rows] if isinstance(block, Table) and block.layout == SUMMARY else []
+        at = names.index(bearing.METHOD) if bearing.METHOD in names else None
+        blocks.append(block if at is None or not isinstance(block, Table) else replace(block, rows=block.rows[:at]))
+    return Section(section.title, blocks)
 
 
 def _given(found: Results, words: Words) -> list[Section]:

@@ -49,7 +49,9 @@ _OF_TOLERANCES = (
     "At the least and the greatest clearance all parts are at their limits; the last column is three standard "
     "deviations wide to either side, for parts that are normal and independent."
 )
-TOLERANCES = "Tolerances"
+TOLERANCES, ALL_ROLLERS = "Tolerances", "All rollers"
+#: The name of the row that begins the last rows of the summary, on how it was solved.
+METHOD = "method"
 _REVOLUTIONS = " million revolutions"
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
@@ -70,7 +72,7 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
         Section("Friction", [summary(friction_rows(case, solution))]),
         Section("Limits of makers", [summary(limit_rows(case, solution))]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
-        Section("All rollers", [roller_table(solution, films)]),
+        Section(ALL_ROLLERS, [roller_table(solution, films)]),
     ]
 
 
@@ -460,10 +462,10 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
 
 def _method_rows(solution: BearingSolution) -> list[Row]:
     if solution.method != "strips":
-        return [("method", "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
+        return [(METHOD, "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
     bearing = solution.bearing.rows[0].bearing
     return [
-        ("method", "strips", "semi-elliptic, on automatic grids"),
+        (METHOD, "strips", "semi-elliptic, on automatic grids"),
         ("  roller", bearing.roller.model, ""),
         *((f"  {ring} ring", getattr(bearing, ring).model, "") for ring in RINGS),
     ]
