@@ -138,7 +138,7 @@ def _row(case: Case) -> str:
 
 def _strength(edges: Array, pressure: Array, kappa: float, half_width: float) -> float | None:
     # Any element but the semi-elliptic one, for which a factor stands for the shape across.
-    return end_fit.fitted_strength(edges, pressure[: edges.size - 1], (kappa, 0.0), half_width, nh.PARABOLIC)[0]
+    return end_fit.fit_strength(edges, pressure[: edges.size - 1], (kappa, 0.0), half_width, nh.PARABOLIC)[0]
 
 
 def _on_edges(case: Case, edges: Array) -> nh.Solution:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from nonhertz.subsurface import Extreme, Extremes
     from nonhertz.subsurface.evaluation import Within
 
-__all__ = ["CRITERIA", "Check", "Strength", "Verdict", "assess", "judge", "onset_of_yield"]
+__all__ = ["CRITERIA", "Check", "CheckStatus", "Strength", "assess", "judge", "onset_of_yield"]
 __dir__ = dir_of(__name__)
 
 #: Criteria of yielding: what the equivalent stress of each is called.
@@ -53,7 +53,7 @@ _DEEPEST_SHEAR: Final = 0.786  # half-widths below a line contact: the maximum s
 _BELOW: Final = np.linspace(0.0, 20.0, 20001)
 
 
-class Verdict(StrEnum):
+class CheckStatus(StrEnum):
     """How a comparison ends."""
 
     FINE = "fine"
@@ -80,7 +80,7 @@ class Check(ReadOnly):
     """
 
     name: str
-    verdict: Verdict
+    verdict: CheckStatus
     ratio: float
     finding: Finding
     unasked: bool = False
@@ -140,10 +140,10 @@ class Strength(HasFindings, ReadOnly):
         return self._ratio("core")
 
     @property
-    def verdict(self) -> Verdict:
+    def verdict(self) -> CheckStatus:
         """Over if any check is, else not known if any is, else fine."""
         verdicts = {check.verdict for check in self.checks}
-        return next(level for level in (Verdict.OVER, Verdict.UNKNOWN, Verdict.FINE) if level in verdicts)
+        return next(level for level in (CheckStatus.OVER, CheckStatus.UNKNOWN, CheckStatus.FINE) if level in verdicts)
 
     def _ratio(self, name: str) -> float:
         return next((check.ratio for check in self.checks if check.name == name), math.nan)
@@ -204,10 +204,10 @@ def assess(
     # Imported here, because few contacts are searched to be judged.
     from nonhertz.subsurface import Extremes, extremes
     from nonhertz.subsurface.evaluation import Within, refuse_options
-    from nonhertz.subsurface.inside import Inside, checked_solution
+    from nonhertz.subsurface.inside import Inside, check_solution
 
     refuse_options("assess", options, Within)
-    checked_solution(solution)
+    check_solution(solution)
     one_of("criterion", criterion, tuple(CRITERIA), "choose how the material yields")
     name = options.get("body", "a")
     if largest is None:
@@ -227,7 +227,7 @@ def assess(
         if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
     inside = Inside.of(solution, name)
-    question = _Question(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
+    question = _BodyCheck(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
     below_contact = []
     if body.case_depth is not None:
         # Not at a bore, which no case of the surface reaches.
@@ -278,12 +278,12 @@ def judge(
     kind, which are searched.
     """
     part = solution.contact.a if body == "a" else solution.contact.b
-    question = _Question(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
+    question = _BodyCheck(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
     pressure = () if part.material.pressure_limit is None else (question.pressure(solution.max_pressure),)
     if part.material.yield_strength is None and part.case_depth is None:
         return pressure
     by_pressure = tuple(question.without_search(solution))
-    if all(check.verdict is not Verdict.UNKNOWN for check in by_pressure) or not search:
+    if all(check.verdict is not CheckStatus.UNKNOWN for check in by_pressure) or not search:
         return (*pressure, *by_pressure)
     checks = assess(solution, body=body).checks
     return tuple(check for check in checks if check.name != "pressure" or pressure)
@@ -359,7 +359,7 @@ class _Limit:
 
 
 @dataclass(frozen=True)
-class _Question:
+class _BodyCheck:
     """What is asked of a body."""
 
     name: str
@@ -374,20 +374,20 @@ class _Question:
         allowed = self.body.material.pressure_limit
         if allowed is None:
             words = f"Static safety is not known: the material of {self.name} has no pressure limit."
-            return _unknown("pressure", words, unasked=True)
+            return _not_known("pressure", words, unasked=True)
         ratio = largest / allowed
         # A bearing has an S0 of its own, C0 / P0.
         safety = "" if self.where else f"static safety S0 = {format_digits(ratio**-2.0, 3)}"
         limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
             what = f"The largest pressure of {{pressure}}{self.where}"
-            return _known("pressure", ratio, what, allowed, limit, safety, pressure=mpa(largest))
+            return _compare("pressure", ratio, what, allowed, limit, safety, pressure=mpa(largest))
         towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
-            return _unknown("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
+            return _not_known("pressure", f"Static safety is not known: t{towards}.", ends=self.limit.towards)
         numbers = {"ends": self.limit.towards, "pressure": mpa(largest)}
         what = f"T{towards}; more than a half-width away {{pressure}}"
-        return _known("pressure", ratio, what, allowed, limit, safety, **numbers)
+        return _compare("pressure", ratio, what, allowed, limit, safety, **numbers)
 
     def without_search(self, solution: Solution) -> Iterator[Check]:
         """Yield what the largest pressure says of yielding and of a case: not known where only a search can tell."""
@@ -400,28 +400,36 @@ class _Question:
             what = f"{'the case of ' * (depth is not None)}{self.name}"
             low, high = point * material.yield_strength, line * material.yield_strength
             if self.body.bore is None and not solution.peaks_at_corner and pressure >= CLEAR * high:
-                words = f"{_begin(what)} yields: the largest pressure of {{pressure}} exceeds {{onset:4}}, "
+                words = f"{_capitalise(what)} yields: the largest pressure of {{pressure}} exceeds {{onset:4}}, "
                 words += f"{line:.3g} times its yield strength, at which a line contact begins to yield."
-                yield Check("yield", Verdict.OVER, pressure / high, finding("yield", words, onset=mpa(high), **numbers))
+                yield Check(
+                    "yield", CheckStatus.OVER, pressure / high, finding("yield", words, onset=mpa(high), **numbers)
+                )
             elif usual and CLEAR * pressure <= low:
-                words = f"{_begin(what)} does not yield: the largest pressure of {{pressure}} is below {{onset:4}}, "
+                words = (
+                    f"{_capitalise(what)} does not yield: the largest pressure of {{pressure}} is below {{onset:4}}, "
+                )
                 words += f"{point:.3g} times its yield strength, at which a point contact begins to yield."
-                yield Check("yield", Verdict.FINE, pressure / low, finding("yield", words, onset=mpa(low), **numbers))
+                yield Check(
+                    "yield", CheckStatus.FINE, pressure / low, finding("yield", words, onset=mpa(low), **numbers)
+                )
             else:
-                yield _unknown("yield", f"Whether {what} yields is decided by a search for its largest stress.")
+                yield _not_known("yield", f"Whether {what} yields is decided by a search for its largest stress.")
         if depth is None:
             return
         core = material.core_yield_strength
         stress = pressure * _on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= _BELOW].max()
         if not (usual and (core is None or CLEAR * stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
-            yield _unknown("core", f"Whether case and core of {self.name} bear it is decided by a search.")
+            yield _not_known("core", f"Whether case and core of {self.name} bear it is decided by a search.")
             return
         if core is not None:
             words = f"The core of {self.name} does not yield: no more than {{stress:3}} reach it, of {{core:g}}."
-            yield Check("core", Verdict.FINE, stress / core, finding("core", words, stress=mpa(stress), core=mpa(core)))
+            yield Check(
+                "core", CheckStatus.FINE, stress / core, finding("core", words, stress=mpa(stress), core=mpa(core))
+            )
         words = f"The case of {self.name}, {{depth:g}} deep, reaches below the largest shear stresses."
         ratio = _DEEPEST_SHEAR * wide / depth
-        yield Check("case depth", Verdict.FINE, ratio, finding("case depth", words, depth=mm(depth)))
+        yield Check("case depth", CheckStatus.FINE, ratio, finding("case depth", words, depth=mm(depth)))
 
     def yields(self, case: Extremes) -> Check:
         """Return the check of the yield strength, of a hardened body in its case."""
@@ -442,7 +450,7 @@ class _Question:
         if core is not None:
             yield self._against("core", what, self._equivalent(core), "core_yield_strength")
         elif self.body.material.core_yield_strength is not None and self.body.case_depth is None:
-            yield _unknown("core", f"Whether {what} yields is not known: the body has no case depth.", unasked=True)
+            yield _not_known("core", f"Whether {what} yields is not known: the body has no case depth.", unasked=True)
 
     def of_case(self, largest: list[Extremes]) -> Iterator[Check]:
         """Yield the check of how deep the case is, if there is one: below the deepest of the largest shear stresses."""
@@ -451,15 +459,15 @@ class _Question:
             return
         if not self.limit:
             words = f"Whether {case} is deep enough is not known: the stress grows without limit towards {{ends}}."
-            yield _unknown(name, words, ends=self.limit.towards)
+            yield _not_known(name, words, ends=self.limit.towards)
             return
         shear = max(extremes.shear.z for extremes in largest)
         orthogonal = max(extremes.orthogonal_shear.z for extremes in largest)
         ratio = max(shear, orthogonal) / depth
         enough = "reaches below" if ratio <= 1.0 else "does not reach below"
         words = (
-            f"{_begin(case)}, {{depth:g}} deep, {enough} the largest maximum shear stress, at z = {{shear:3}} or less, "
-            "and the largest orthogonal one, at z = {orthogonal:3} or less."
+            f"{_capitalise(case)}, {{depth:g}} deep, {enough} the largest maximum shear stress, at z = {{shear:3}} or "
+            "less, and the largest orthogonal one, at z = {orthogonal:3} or less."
         )
         numbers = {"depth": mm(depth), "shear": mm(shear), "orthogonal": mm(orthogonal)}
         yield Check(name, _verdict(ratio), ratio, finding(name, words, **numbers))
@@ -481,7 +489,7 @@ class _Question:
         towards = "the stress grows without limit towards {ends}"
         if allowed is None:
             known = f"; its largest {stress} is {found_there}" if self.limit else ""
-            return _unknown(
+            return _not_known(
                 name,
                 f"{open_question}: the material has no {strength.replace('_', ' ')}{known}.",
                 unasked=True,
@@ -489,26 +497,28 @@ class _Question:
             )
         ratio = extreme.max / allowed
         if self.stepped and ratio <= 1.0:
-            return _unknown(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
+            return _not_known(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
-            words = f"{_begin(what)} {answer}: its largest {stress}, {found_there},"
-            return _known(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
+            words = f"{_capitalise(what)} {answer}: its largest {stress}, {found_there},"
+            return _compare(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
         if ratio <= 1.0 or not self.limit.away:
-            return _unknown(name, f"{open_question}: {towards}.", **numbers)
-        words = f"{_begin(what)} yields: {towards}; more than a half-width away the largest {stress}, {found_there},"
-        return _known(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
+            return _not_known(name, f"{open_question}: {towards}.", **numbers)
+        words = (
+            f"{_capitalise(what)} yields: {towards}; more than a half-width away the largest {stress}, {found_there},"
+        )
+        return _compare(name, ratio, words, allowed, "the yield strength of {allowed:g}", **numbers)
 
 
-def _known(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "", /, **numbers: Any) -> Check:
+def _compare(name: str, ratio: float, what: str, allowed: float, noun: str, then: str = "", /, **numbers: Any) -> Check:
     percent = format_input(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
     compared = f"is {percent} % of {noun.rstrip(',')}" if ratio <= 1.0 else f"exceeds {noun} by {percent} %"
     words = f"{what} {compared}{f': {then}' if then else ''}."
     return Check(name, _verdict(ratio), ratio, finding(name, words, allowed=mpa(allowed), **numbers))
 
 
-def _verdict(ratio: float) -> Verdict:
-    return Verdict.FINE if ratio <= 1.0 else Verdict.OVER
+def _verdict(ratio: float) -> CheckStatus:
+    return CheckStatus.FINE if ratio <= 1.0 else CheckStatus.OVER
 
 
 def _widest(solution: Solved) -> float:
@@ -518,9 +528,9 @@ def _widest(solution: Solved) -> float:
     return float(places[np.abs(places - 0.5 * np.sum(outermost(solution))).argmin()])
 
 
-def _unknown(name: str, words: str, /, *, unasked: bool = False, **numbers: Any) -> Check:
-    return Check(name, Verdict.UNKNOWN, math.nan, finding(name, words, **numbers), unasked)
+def _not_known(name: str, words: str, /, *, unasked: bool = False, **numbers: Any) -> Check:
+    return Check(name, CheckStatus.UNKNOWN, math.nan, finding(name, words, **numbers), unasked)
 
 
-def _begin(text: str) -> str:
+def _capitalise(text: str) -> str:
     return text[:1].upper() + text[1:]

@@ -24,8 +24,7 @@ from nonhertz.model.material import STEEL, Material
 from nonhertz.model.materials import name_of
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
-from nonhertz.strength import Check, Strength, judge
-from nonhertz.strength import Verdict as OfStrength
+from nonhertz.strength import Check, CheckStatus, Strength, judge
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -111,12 +110,12 @@ class Verdict:
         }
 
 
-def given_verdict(verdict: Verdict | None) -> dict[str, Any] | None:
+def verdict_to_object(verdict: Verdict | None) -> dict[str, Any] | None:
     """Return a verdict, if there is one, as files have it."""
     return None if verdict is None else verdict.as_object()
 
 
-def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search: bool = True) -> Verdict | None:
+def judge_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search: bool = True) -> Verdict | None:
     """Return the verdict on a contact; None where nothing touches.
 
     Parameters
@@ -133,39 +132,39 @@ def of_contact(solution: Solution, strengths: Iterable[Strength] = (), *, search
     at_hand = {strength.body: strength.checks for strength in strengths}
     bodies = dict(zip(BODIES, (solution.contact.a, solution.contact.b), strict=True))
     checks = [check for name in BODIES for check in at_hand.get(name) or judge(solution, body=name, search=search)]
-    return _worst(
+    return _make_verdict(
         [
-            *_judged(checks),
+            *_order_checks(checks),
             *_unknown({f"body {name}": body.material for name, body in bodies.items()}),
-            *_unlimited(solution),
-            *_strained(solution.findings),
+            *_judge_ends(solution),
+            *_list_strains(solution.findings),
         ],
         checks,
         solution.max_pressure,
     )
 
 
-def of_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
+def judge_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
     """Return the worst verdict on a contact under several loads; of pairs, each with something else such as a share."""
-    return worst_of(
-        {f"under {describe_load(solution.load, solution.tilt)}": of_contact(solution) for solution, _ in solved}
+    return worst_verdict(
+        {f"under {describe_load(solution.load, solution.tilt)}": judge_contact(solution) for solution, _ in solved}
     )
 
 
-def with_life(verdict: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
+def add_life(verdict: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
     """Return a verdict that counts whether a life [10^6 revolutions] is as long as is asked for, if any is."""
     if verdict is None or required is None:
         return verdict
-    return _beside(verdict, [_lasting(life, required)])
+    return _add_findings(verdict, [_judge_life(life, required)])
 
 
-def worst_of(verdicts: Mapping[str, Verdict | None]) -> Verdict | None:
+def worst_verdict(verdicts: Mapping[str, Verdict | None]) -> Verdict | None:
     """Return the worst of several verdicts, which says by its name which one it is; None if there are none.
 
     Examples
     --------
     >>> strained, met = Verdict(Level.STRAINED, (), "under 5 kN"), Verdict(Level.MET, ())
-    >>> worst_of({"in a.toml": met, "in b.toml": strained}).words
+    >>> worst_verdict({"in a.toml": met, "in b.toml": strained}).words
     'Model strained in b.toml under 5 kN.'
     """
     known = {where: verdict for where, verdict in verdicts.items() if verdict is not None}
@@ -176,7 +175,7 @@ def worst_of(verdicts: Mapping[str, Verdict | None]) -> Verdict | None:
     return replace(found_worst, where=f"{worst} {found_worst.where}".strip()) if len(known) > 1 else found_worst
 
 
-def of_rows(
+def judge_rows(
     pressures: ArrayLike,
     judged: Callable[[int], Verdict | None],
     materials: Sequence[Hashable] = (),
@@ -209,21 +208,21 @@ def of_rows(
         words = "The rows have {count} materials: vary no more than {most} for a verdict on all."
         many = finding("many-materials", words, count=len(largest), most=_MOST_MATERIALS)
         return Verdict(Level.NOT_JUDGED, (many,))
-    worst = worst_of({f"in {what} {row}": judged(row) for row in largest.values()})
+    worst = worst_verdict({f"in {what} {row}": judged(row) for row in largest.values()})
     strained = int(np.count_nonzero(np.asarray(warned, dtype=float) > 0.0))
     if worst is None or len(solved) == 1:
         return worst
     findings: list[tuple[Level, Finding]] = []
     if len(largest) == 1:
         worst = replace(worst, where=f"in {what} {largest.popitem()[1]}")
-        findings += _beyond(known[solved], worst, f"{what}s")
+        findings += _count_beyond(known[solved], worst, f"{what}s")
     if strained:
         words = f"{{strained}} of {{rows}} {what}s have warnings: solve one of them to read which."
         findings.append((Level.STRAINED, finding("rows-warned", words, strained=strained, rows=len(solved))))
-    return _beside(worst, findings)
+    return _add_findings(worst, findings)
 
 
-def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
+def _count_beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
     """Yield how many rows exceed the limit of the pressure that the worst does."""
     for passed in worst.findings:
         limit = dict(passed.numbers).get("allowed") if passed.kind == "pressure" else None
@@ -233,7 +232,7 @@ def _beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterat
             return
 
 
-def of_bearing(
+def judge_bearing(
     solution: BearingSolution,
     life: BearingLife | None,
     clearance: OperatingClearance | None,
@@ -255,9 +254,9 @@ def of_bearing(
     limits : iterable of Limit
         How it compares with what makers publish.
     """
-    findings = [] if clearance is None else list(_loosened(clearance))
-    checks = list(_of_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
-    findings += _judged(checks)
+    findings = [] if clearance is None else list(_judge_fits(clearance))
+    checks = list(_check_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
+    findings += _order_checks(checks)
     if life is not None and math.isfinite(life.static_safety):
         enough = life.static_safety >= 1.0
         words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
@@ -265,18 +264,22 @@ def of_bearing(
             (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
         )
     if life is not None and life.required is not None:
-        findings.append(_lasting(None if math.isnan(life.rated_life) else life.rated_life, life.required))
-    findings += _parted(films)
+        findings.append(_judge_life(None if math.isnan(life.rated_life) else life.rated_life, life.required))
+    findings += _judge_films(films)
     findings += [(_OF_LIMIT[met], item) for met, item in limits]
     if not findings and not solution.load.any():
         return None
     row = solution.bearing.rows[0].bearing
     parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
     findings += _unknown({name: part.material for name, part in parts.items()})
-    return _worst([*findings, *_strained(findings_of(solution, life, clearance))], checks) if findings else None
+    return (
+        _make_verdict([*findings, *_list_strains(collect_findings(solution, life, clearance))], checks)
+        if findings
+        else None
+    )
 
 
-def findings_of(
+def collect_findings(
     solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
 ) -> tuple[Finding, ...]:
     """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
@@ -284,7 +287,7 @@ def findings_of(
     return (*solution.findings, *(item for source in beside for item in source))
 
 
-def _parted(films: Films | None) -> Iterator[tuple[Level, Finding]]:
+def _judge_films(films: Films | None) -> Iterator[tuple[Level, Finding]]:
     """Yield how the least film parameter compares with 1, below which surfaces touch all over (Hamrock 2004, ch. 3).
 
     That is no limit of makers: it shortens the life (RBC, Heavy Duty Needle Roller Bearings, section 6.2), which ISO
@@ -302,14 +305,14 @@ def _parted(films: Films | None) -> Iterator[tuple[Level, Finding]]:
         yield Level.MET if enough else Level.STRAINED, finding("film", words, parameter=smallest)
 
 
-def _loosened(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:
+def _judge_fits(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:
     for ring, fit, seat in (("inner", clearance.inner, "on its shaft"), ("outer", clearance.outer, "in its housing")):
         if fit.loosened:
             words = "The {ring} ring has come loose {seat}: {mounted:4} between them when mounted, none in operation."
             yield Level.NOT_MET, finding("loosened-fit", words, ring=ring, seat=seat, mounted=mpa(fit.mounted_pressure))
 
 
-def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
+def _check_contacts(solution: BearingSolution) -> Iterator[Check]:
     """Yield the checks of the contact with the largest pressure at each ring."""
     for k, ring in enumerate(RINGS):
         roller = int(np.argmax(solution.max_pressure[:, k]))
@@ -320,9 +323,9 @@ def _of_contacts(solution: BearingSolution) -> Iterator[Check]:
                 yield from judge(contact, body=body, called=called, where=where)
 
 
-def _judged(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
+def _order_checks(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
     """Yield each comparison that the material allows, those with equal words once, the largest ratio first."""
-    levels = {OfStrength.FINE: Level.MET, OfStrength.OVER: Level.NOT_MET, OfStrength.UNKNOWN: Level.NOT_JUDGED}
+    levels = {CheckStatus.FINE: Level.MET, CheckStatus.OVER: Level.NOT_MET, CheckStatus.UNKNOWN: Level.NOT_JUDGED}
     required = [check for check in checks if not check.unasked]
     ordered = sorted(required, key=lambda check: -check.ratio if math.isfinite(check.ratio) else 0.0)
     yield from {str(check.finding): (levels[check.verdict], check.finding) for check in ordered}.values()
@@ -342,7 +345,7 @@ def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding
         yield Level.NOT_JUDGED, finding("no-limit-known", words)
 
 
-def _lasting(life: float | None, required: float) -> tuple[Level, Finding]:
+def _judge_life(life: float | None, required: float) -> tuple[Level, Finding]:
     if life is None:
         words = "A life of {required:.4g} million revolutions is asked for, but the life is not known in revolutions."
         return Level.NOT_JUDGED, finding("life", words, required=required)
@@ -352,7 +355,7 @@ def _lasting(life: float | None, required: float) -> tuple[Level, Finding]:
     return (Level.MET if enough else Level.NOT_MET), finding("life", words, life=life, required=required)
 
 
-def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:
+def _judge_ends(solution: Solution) -> Iterator[tuple[Level, Finding]]:
     if solution.singular_ends:
         words = "The pressure grows without limit towards {ends}."
         yield Level.UNLIMITED, finding("no-limit", words, ends=ends_in_words(solution.singular_ends))
@@ -361,17 +364,17 @@ def _unlimited(solution: Solution) -> Iterator[tuple[Level, Finding]]:
         yield Level.UNLIMITED, finding("no-limit", words)
 
 
-def _strained(findings: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
+def _list_strains(findings: Iterable[Finding]) -> Iterator[tuple[Level, Finding]]:
     return ((Level.STRAINED, item) for item in findings if item.kind not in _OF_ENDS)
 
 
-def _beside(verdict: Verdict, more: Iterable[tuple[Level, Finding]]) -> Verdict:
+def _add_findings(verdict: Verdict, more: Iterable[tuple[Level, Finding]]) -> Verdict:
     """Return a verdict that counts more than it did, what decides it first."""
-    together = _worst([*((verdict.level, item) for item in verdict.findings), *more], ())
+    together = _make_verdict([*((verdict.level, item) for item in verdict.findings), *more], ())
     return replace(verdict, level=together.level, findings=together.findings)
 
 
-def _worst(findings: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
+def _make_verdict(findings: Sequence[tuple[Level, Finding]], checks: Iterable[Check], pressure: float = 0.0) -> Verdict:
     ordered = sorted(findings, key=lambda entry: -entry[0].rank)
     ratio = max((check.ratio for check in checks if math.isfinite(check.ratio)), default=0.0)
     return Verdict(ordered[0][0], tuple(item for _, item in ordered), severity=(ratio, pressure))

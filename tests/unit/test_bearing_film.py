@@ -16,7 +16,7 @@ from nonhertz.figures.film import film_figures
 from nonhertz.files.bearing_results import files as written
 from nonhertz.files.bearingfile import starting_bearing
 from nonhertz.show.films import film_rows
-from nonhertz.verdict import Level, of_bearing
+from nonhertz.verdict import Level, judge_bearing
 
 OIL = nh.bearing.Lubrication(oil="ISO VG 68", temperature=70)
 
@@ -130,12 +130,12 @@ def test_the_film_parameter_is_judged_where_the_roughness_is_known():
     found = rough.films(solved := rough.solve())
     expected = found.least_film[0, 0] / math.hypot(0.05e-3, 0.08e-3)
     assert found.film_parameter[0, 0] == pytest.approx(expected)
-    verdict = of_bearing(solved, None, None, found)
+    verdict = judge_bearing(solved, None, None, found)
     assert [each.kind for each in verdict.findings if each.kind == "film"] == ["film"]
     assert "lambda of the least film is" in str(next(each for each in verdict.findings if each.kind == "film"))
     coarse = case(**dict.fromkeys(ROUGH, "1 um"))
     solved = coarse.solve()
-    verdict = of_bearing(solved, None, None, coarse.films(solved))
+    verdict = judge_bearing(solved, None, None, coarse.films(solved))
     assert verdict.level is Level.STRAINED
     assert "which shortens the life unless additives protect them" in verdict.sentence
 

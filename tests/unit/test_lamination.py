@@ -5,7 +5,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.subsurface import lamination
-from nonhertz.subsurface.lamination import laminated
+from nonhertz.subsurface.lamination import laminate
 
 # Few strips, of which a large estimate is said.
 pytestmark = pytest.mark.filterwarnings("ignore:The .* is uncertain:nonhertz.AccuracyWarning")
@@ -34,7 +34,7 @@ CASES = {
 @pytest.fixture(scope="module", params=CASES)
 def case(request):
     solution = CASES[request.param]()
-    return solution, laminated(solution)
+    return solution, laminate(solution)
 
 
 def pieces_of(cut):
@@ -68,7 +68,7 @@ def test_few_and_uneven_strips_bear_their_load_too(strips, moment):
     contact = nh.Contact(roller(nh.profile.crown(radius=4000)), RING)
     given = {} if strips == 1 else {"moment": moment}
     solution = nh.solve(contact, load=2e3, strips=edges, **given)
-    cut = laminated(solution)
+    cut = laminate(solution)
     low, high, load, _ = pieces_of(cut)
     assert load @ (high - low) == pytest.approx(2e3, rel=1e-9)
     touching = solution.line_load > 0.0
@@ -83,16 +83,16 @@ def test_few_and_uneven_strips_bear_their_load_too(strips, moment):
 def test_pieces_that_bear_another_load_are_not_used(monkeypatch):
     solution = solved(nh.profile.crown(radius=2000), load=4e3)
     strips = lamination.LoadedStrips.of(solution)
-    right = laminated(solution)
-    assert lamination.bears(right, strips)
+    right = laminate(solution)
+    assert lamination.carries_load(right, strips)
     one, negative = np.ones((2, right.low.size))
     one[one.size // 2], negative[-1] = 1.1, -1.0
     turned = 1.0 + 0.005 * (right.low + right.high)
     loads = [right._replace(line_load=right.line_load * factor) for factor in (one, negative, turned)]
     for wrong in (*loads, right._replace(half_width=np.inf * right.half_width)):
-        assert not lamination.bears(wrong, strips)
+        assert not lamination.carries_load(wrong, strips)
         monkeypatch.setattr(lamination, "cut_into_pieces", lambda _, wrong=wrong: wrong)
-        low, high, load, _ = pieces_of(laminated(solution))
+        low, high, load, _ = pieces_of(laminate(solution))
         assert load @ (high - low) == pytest.approx(4e3, rel=1e-12)
 
 
@@ -127,7 +127,7 @@ def test_a_strip_falls_to_where_its_contact_runs_out():
 @pytest.mark.parametrize("load", [500.0, 4e3])
 def test_the_pieces_of_a_mirrored_contact_are_mirrored(load):
     # Few strips: pressures that fall so steeply that the line through a strip would fall below nothing.
-    cuts = [laminated(solved(nh.profile.crown(radius=1000), strips=9, load=load, tilt=tilt)) for tilt in (4e-4, -4e-4)]
+    cuts = [laminate(solved(nh.profile.crown(radius=1000), strips=9, load=load, tilt=tilt)) for tilt in (4e-4, -4e-4)]
     (low, high, borne, half_width), mirrored = map(pieces_of, cuts)
     np.testing.assert_allclose(low, -mirrored[1][::-1], rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(borne, mirrored[2][::-1], rtol=1e-7, atol=1e-9)

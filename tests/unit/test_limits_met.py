@@ -6,7 +6,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.life import LoadCase
-from nonhertz.verdict import Level, of_contact, of_loads, of_rows, worst_of
+from nonhertz.verdict import Level, judge_contact, judge_loads, judge_rows, worst_verdict
 
 CROWN = nh.profile.crown(radius=1000)
 
@@ -19,36 +19,36 @@ def pressed(load, limit=4000.0, **known):
 
 def test_the_worst_load_decides_and_is_named():
     low, high = pressed(20e3, 2500.0), pressed(40e3, 2500.0)
-    found = of_loads([(low, 0.9), (high, 0.1)])
+    found = judge_loads([(low, 0.9), (high, 0.1)])
     assert (found.level, found.where) == (Level.NOT_MET, "under 40 kN without tilt")
     assert found.words == "Limits not met under 40 kN without tilt."
     assert found.as_object()["where"] == found.where
-    assert of_loads([(low, 1.0)]) == of_contact(low)
+    assert judge_loads([(low, 1.0)]) == judge_contact(low)
 
 
 def test_of_limits_that_are_met_the_nearest_is_named():
-    found = worst_of({"in a": of_contact(pressed(5e3)), "in b": of_contact(pressed(20e3)), "in c": None})
+    found = worst_verdict({"in a": judge_contact(pressed(5e3)), "in b": judge_contact(pressed(20e3)), "in c": None})
     assert found.words == "Static pressure below its limit; worst in b."
-    assert worst_of({"in c": None}) is None
+    assert worst_verdict({"in c": None}) is None
 
 
 def test_rows_are_counted_above_the_limit():
     loads, pressures = {1: 30e3, 3: 40e3}, [2000.0, 2600.0, math.nan, 2700.0]
-    judged = {row: of_contact(pressed(load, 2500.0)) for row, load in loads.items()}
-    found = of_rows(pressures, judged.get, warned=[0.0, 0.0, math.nan, 2.0])
+    judged = {row: judge_contact(pressed(load, 2500.0)) for row, load in loads.items()}
+    found = judge_rows(pressures, judged.get, warned=[0.0, 0.0, math.nan, 2.0])
     assert (found.level, found.words) == (Level.NOT_MET, "Limits not met in row 3.")
     assert found.findings[0] == judged[3].findings[0]
     assert [str(each) for each in found.findings[-2:]] == [
         "2 of 3 rows exceed 2500 MPa.",
         "1 of 3 rows have warnings: solve one of them to read which.",
     ]
-    assert of_rows([math.nan], judged.get) is None
+    assert judge_rows([math.nan], judged.get) is None
 
 
 def test_of_rows_with_several_materials_the_worst_of_each_is_judged():
-    judged = [of_contact(pressed(20e3, limit)) for limit in (4000.0, 1000.0)]
-    assert of_rows([2300.0, 2300.0], judged.__getitem__, ["100Cr6", "soft"]).words == "Limits not met in row 1."
-    assert of_rows(range(1, 14), judged.__getitem__, range(13)).level is Level.NOT_JUDGED
+    judged = [judge_contact(pressed(20e3, limit)) for limit in (4000.0, 1000.0)]
+    assert judge_rows([2300.0, 2300.0], judged.__getitem__, ["100Cr6", "soft"]).words == "Limits not met in row 1."
+    assert judge_rows(range(1, 14), judged.__getitem__, range(13)).level is Level.NOT_JUDGED
 
 
 def test_a_sweep_has_that_of_its_rows_and_none_without_pressures():

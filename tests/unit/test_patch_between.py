@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.patch.between import between, centres_of_parts
-from nonhertz.patch.cascade import refined
+from nonhertz.patch.between import centres_of_parts, find_unseen_overlap
+from nonhertz.patch.cascade import refine_pressure
 from nonhertz.patch.grid import Grid, interpolation
 from nonhertz.patch.nearness import scan
 
@@ -56,14 +56,14 @@ def test_a_pressure_is_linear_between_the_centres_of_a_coarser_grid():
     centres, finer = ((np.arange(n) + 0.5) / n for n in (5, 15))
     expected = np.interp(finer, centres, coarse)[1:-1]
     for pressure in (np.tile(coarse, (4, 1)), np.tile(coarse, (4, 1)).T):
-        found = refined(pressure, tuple(3 * n for n in pressure.shape))
+        found = refine_pressure(pressure, tuple(3 * n for n in pressure.shape))
         found = found if pressure.shape == (4, 5) else found.T
         np.testing.assert_allclose(found[:, 1:-1], np.tile(expected, (12, 1)), rtol=1e-12)
 
 
 def test_there_is_nothing_between_the_cells_of_a_smooth_gap():
     solution = solve(ball)
-    unseen = between(solution, ball)
+    unseen = find_unseen_overlap(solution, ball)
     # A parabola is interpolated to rounding, and what touches is off by the tolerance.
     assert unseen.overlap < 1e-7 * solution.approach
     assert unseen.pressure < 1e-9 * solution.max_pressure
@@ -78,7 +78,7 @@ def test_a_spike_between_centres_is_warned_of(at):
         solution = solve(gap)
     assert str(caught[0].message).startswith("Between the centres of cells the bodies overlap, by 0.00")
     assert [str(warning.message) for warning in caught] == list(solution.warnings)
-    unseen = between(solution, gap)
+    unseen = find_unseen_overlap(solution, gap)
     # Parts of a cell lie at most an eighth of its side off the spike, which is down by a third there.
     np.testing.assert_allclose((unseen.x, unseen.y), at, rtol=0.0, atol=0.15 * SIDE)
     assert 0.2 < unseen.overlap / 0.01 < 1.1
@@ -86,7 +86,9 @@ def test_a_spike_between_centres_is_warned_of(at):
 
 def test_a_spike_beside_the_contact_overlaps_by_what_the_clearance_leaves_of_it():
     solution, at = solve(ball), (0.54375, 0.03125)  # the middle of a part of a cell
-    unseen = between(solution, lambda x, y: ball(x, y) - 0.02 * np.exp(-((x - at[0]) ** 2 + (y - at[1]) ** 2) / 3e-6))
+    unseen = find_unseen_overlap(
+        solution, lambda x, y: ball(x, y) - 0.02 * np.exp(-((x - at[0]) ** 2 + (y - at[1]) ** 2) / 3e-6)
+    )
     across, along = (np.maximum(1.0 - np.abs(axis) / SIDE, 0.0) for axis in (solution.x - at[0], solution.y - at[1]))
     assert (unseen.x, unseen.y) == pytest.approx(at)
     assert unseen.overlap == pytest.approx(0.02 - across @ solution.gap @ along, rel=1e-6)
@@ -97,7 +99,7 @@ def test_a_pin_between_centres_is_warned_of():
     with warnings.catch_warnings(record=True, action="always") as caught:
         solution = solve(gap, load=2000.0)
     assert str(caught[0].message).startswith("Between the centres of cells the bodies overlap, by 0.0")
-    unseen = between(solution, gap)
+    unseen = find_unseen_overlap(solution, gap)
     assert math.hypot(unseen.x - 0.6, unseen.y - 0.6) < 0.4 * SIDE
     # By less than the approach, since the surface is raised there, by about a force at that distance.
     raised = solution.contact.compliance * solution.load / math.hypot(unseen.x, unseen.y)

@@ -9,7 +9,7 @@ from nonhertz.bodies.influence import HALF_SPACE, FreeSide, Influence, influence
 from nonhertz.bodies.quarter_space import free_face
 from nonhertz.bodies.shape import HERTZ
 from nonhertz.patch.convolution import Convolution
-from nonhertz.patch.free_faces import at_points, free_ends, merged
+from nonhertz.patch.free_faces import at_points, free_ends, merge_faces
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from
 
@@ -119,7 +119,7 @@ def test_both_ends_of_a_body_are_alike():
 
 def test_faces_at_the_same_place_are_one():
     one = FreeSide(0.0, -1, 0.3, STEEL)
-    assert merged((one, one, FreeSide(0.0, -1, 0.3, 0.2))) == (
+    assert merge_faces((one, one, FreeSide(0.0, -1, 0.3, 0.2))) == (
         FreeSide(0.0, -1, 0.6, STEEL), FreeSide(0.0, -1, 0.3, 0.2),
     )  # fmt: skip
     grid = Grid((-0.3, 0.4), (0.0, 10.0), (6, 30))

@@ -9,7 +9,7 @@ import nonhertz as nh
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.convolution import Convolution
 from nonhertz.patch.surface import Surface
-from nonhertz.patch.verdict import complaint, displacement
+from nonhertz.patch.verdict import displacement, find_complaint
 
 PLAIN = {"side_faces": "none", "depth": "none"}
 BODIES = {
@@ -80,23 +80,25 @@ TAMPERED = {
 
 @pytest.mark.parametrize("sentence", TAMPERED)
 def test_what_is_changed_after_the_solve_is_seen(solution, sentence):
-    assert complaint(solution, GAP, GIVEN, TOLERANCE) == ""
+    assert find_complaint(solution, GAP, GIVEN, TOLERANCE) == ""
     tampered = replace(solution, **TAMPERED[sentence](solution))
-    assert complaint(tampered, GAP, GIVEN, TOLERANCE).startswith(sentence)
+    assert find_complaint(tampered, GAP, GIVEN, TOLERANCE).startswith(sentence)
 
 
 def test_another_approach_or_tilt_than_prescribed_is_seen():
     found = nh.patch.solve(CONTACT, approach=0.01, tilt=2e-4, cells=CELLS)
-    assert complaint(found, GAP, BY_MOTION, TOLERANCE) == ""
-    assert complaint(replace(found, approach=0.0101), GAP, BY_MOTION, TOLERANCE).startswith("The approach came to")
-    assert complaint(replace(found, tilt=2.1e-4), GAP, BY_MOTION, TOLERANCE).startswith("The tilt came to 0.00021 rad")
+    assert find_complaint(found, GAP, BY_MOTION, TOLERANCE) == ""
+    assert find_complaint(replace(found, approach=0.0101), GAP, BY_MOTION, TOLERANCE).startswith("The approach came to")
+    assert find_complaint(replace(found, tilt=2.1e-4), GAP, BY_MOTION, TOLERANCE).startswith(
+        "The tilt came to 0.00021 rad"
+    )
 
 
 def test_pressure_on_cells_without_a_body_is_seen(solution):
     def cut(x, y):
         return np.where(x < 0.0, np.inf, GAP(x, y))
 
-    assert complaint(solution, cut, GIVEN, TOLERANCE).startswith(
+    assert find_complaint(solution, cut, GIVEN, TOLERANCE).startswith(
         "Cells without a body, where the gap is infinite, bear"
     )
 

@@ -6,7 +6,7 @@ import math
 import pytest
 
 import nonhertz as nh
-from nonhertz.verdict import Level, of_bearing
+from nonhertz.verdict import Level, judge_bearing
 
 CASE = """
 title = "asked"
@@ -41,7 +41,7 @@ def loaded():
 def test_a_bearing_that_does_not_last_is_a_limit_not_met(loaded):
     life = nh.bearing.assess(loaded)
     for share, level in ((0.9, Level.MET), (1.1, Level.NOT_MET)):
-        found = of_bearing(loaded, nh.bearing.assess(loaded, required=share * life.rated_life), None)
+        found = judge_bearing(loaded, nh.bearing.assess(loaded, required=share * life.rated_life), None)
         assert found.level is level
         words = "reaches" if level is Level.MET else "is below"
         assert any(f"million revolutions {words} the" in str(each) for each in found.findings)

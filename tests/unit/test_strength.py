@@ -13,7 +13,7 @@ from scipy.optimize import minimize_scalar
 
 import nonhertz as nh
 from nonhertz.amounts import format_input
-from nonhertz.strength import CRITERIA, Verdict, assess
+from nonhertz.strength import CRITERIA, CheckStatus, assess
 from nonhertz.subsurface import extremes
 
 MODULUS, POISSON = 207000.0, 0.3
@@ -88,7 +88,7 @@ def test_what_is_known_of_the_line_contact_is_what_johnson_prints():
 )
 def test_a_line_contact_yields_from_the_exact_pressure_on(plain, criterion, pressure_over_strength, largest):
     # The search is within 1e-5 of the largest stress, strips within 1e-6 of Hertz's pressure.
-    for factor, verdict in ((1.0 + 1e-4, Verdict.FINE), (1.0 - 1e-4, Verdict.OVER)):
+    for factor, verdict in ((1.0 + 1e-4, CheckStatus.FINE), (1.0 - 1e-4, CheckStatus.OVER)):
         strength = factor * plain.max_pressure / pressure_over_strength
         found = assess(with_material(plain, yield_strength=strength), criterion=criterion, largest=largest)
         assert found.yield_ratio == pytest.approx(1.0 / factor, rel=2e-5)
@@ -110,7 +110,7 @@ def test_the_core_bears_the_stress_at_the_case_core_boundary(plain, largest, dep
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("depth", "verdict"), [(0.78, Verdict.OVER), (0.79, Verdict.FINE)])
+@pytest.mark.parametrize(("depth", "verdict"), [(0.78, CheckStatus.OVER), (0.79, CheckStatus.FINE)])
 def test_a_case_has_to_reach_below_the_largest_shear_stresses(plain, largest, depth, verdict):
     # The maximum shear stress is largest at 0.786 b, the orthogonal one at 0.5 b.
     found = assess(with_material(plain, **KNOWN, case_depth=depth * plain.max_half_width), largest=largest)
@@ -128,7 +128,7 @@ def test_a_case_has_to_reach_below_the_middle_where_the_ends_are_stressed_more()
     found = assess(solution)
     assert found.largest.shear.z < 0.1
     check = found.checks[3]
-    assert check.verdict is Verdict.OVER
+    assert check.verdict is CheckStatus.OVER
     middle = extremes(solution, 0.0).shear.z
     assert check.ratio == pytest.approx(middle / 0.1, rel=0.01)
 
@@ -151,7 +151,7 @@ def test_static_safety_is_the_square_of_the_pressures(plain, largest):
     )
     over = assess(with_material(plain, pressure_limit=0.8 * plain.max_pressure), largest=largest)
     assert over.static_safety == pytest.approx(0.64, rel=1e-12)
-    assert over.verdict is Verdict.OVER
+    assert over.verdict is CheckStatus.OVER
     assert " by 25 %: static safety S0 = 0.640." in over.sentences[0]
 
 
@@ -161,7 +161,7 @@ def test_static_safety_is_the_square_of_the_pressures(plain, largest):
 @pytest.mark.slow
 def test_what_is_not_given_is_not_known(plain):
     found = assess(plain)
-    assert found.verdict is Verdict.UNKNOWN
+    assert found.verdict is CheckStatus.UNKNOWN
     assert math.isnan(found.static_safety)
     assert math.isnan(found.yield_ratio)
     assert math.isnan(found.core_yield_ratio)
@@ -176,7 +176,7 @@ def test_what_is_not_given_is_not_known(plain):
 def test_a_core_without_a_depth_or_a_strength_is_not_known(plain, largest):
     found = assess(with_material(plain, **KNOWN), largest=largest)
     assert found.checks[2].sentence == "Whether the core of body a yields is not known: the body has no case depth."
-    assert found.checks[2].verdict is Verdict.UNKNOWN
+    assert found.checks[2].verdict is CheckStatus.UNKNOWN
     found = assess(with_material(plain, yield_strength=1500.0, case_depth=1.0), largest=largest)
     assert found.checks[2].sentence.startswith("Whether the core of body a yields is not known: the material has no")
     assert math.isnan(found.core_yield_ratio)
@@ -185,7 +185,7 @@ def test_a_core_without_a_depth_or_a_strength_is_not_known(plain, largest):
 @pytest.mark.slow
 def test_a_sharp_end_leaves_no_confident_number():
     found = assess(crowned(profile=nh.profile.straight(), **KNOWN, case_depth=1.0))
-    assert {check.verdict for check in found.checks} == {Verdict.UNKNOWN}
+    assert {check.verdict for check in found.checks} == {CheckStatus.UNKNOWN}
     assert all(math.isnan(check.ratio) for check in found.checks)
     assert all("the sharp ends at y = -10 and 10 mm" in sentence for sentence in found.sentences)
     assert found.warnings
@@ -195,11 +195,11 @@ def test_a_sharp_end_leaves_no_confident_number():
 def test_what_yields_away_from_a_sharp_end_yields():
     found = assess(crowned(60e3, **KNOWN, case_depth=0.3))
     assert [check.verdict for check in found.checks] == [
-        Verdict.UNKNOWN, Verdict.OVER, Verdict.OVER, Verdict.UNKNOWN,
+        CheckStatus.UNKNOWN, CheckStatus.OVER, CheckStatus.OVER, CheckStatus.UNKNOWN,
     ]  # fmt: skip
     assert "more than a half-width away" in found.sentences[1]
     weak = assess(crowned(60e3, pressure_limit=1000.0))
-    assert weak.checks[0].verdict is Verdict.OVER
+    assert weak.checks[0].verdict is CheckStatus.OVER
 
 
 @pytest.mark.slow
@@ -210,7 +210,7 @@ def test_a_contact_with_nothing_away_from_its_ends_is_never_known():
     )
     with pytest.warns(nh.AccuracyWarning):
         solution = nh.solve(nh.Contact(roller, nh.Plate()), load=20e3)
-    assert {check.verdict for check in assess(solution).checks} == {Verdict.UNKNOWN}
+    assert {check.verdict for check in assess(solution).checks} == {CheckStatus.UNKNOWN}
 
 
 @pytest.mark.slow
@@ -219,7 +219,7 @@ def test_a_corner_within_the_contact_leaves_no_confident_number():
     solution = crowned(10e3, profile=profile, **KNOWN | {"yield_strength": 1.0, "pressure_limit": 1.0})
     assert solution.peaks_at_corner
     found = assess(solution)
-    assert {check.verdict for check in found.checks} == {Verdict.UNKNOWN}
+    assert {check.verdict for check in found.checks} == {CheckStatus.UNKNOWN}
     assert "the corner of the profile at y = " in found.sentences[0]
 
 
@@ -234,7 +234,7 @@ def test_both_bodies_and_both_methods():
     assert assess(patch).yield_ratio == pytest.approx(assess(strips).yield_ratio, rel=0.02)
     other = assess(strips, body="b")
     assert other.body == "b"
-    assert other.checks[0].verdict is Verdict.UNKNOWN  # the plate's material knows nothing
+    assert other.checks[0].verdict is CheckStatus.UNKNOWN  # the plate's material knows nothing
 
 
 @pytest.mark.slow

@@ -9,10 +9,9 @@ from scipy.optimize import minimize_scalar
 import nonhertz as nh
 from nonhertz.files.casefile import read_case
 from nonhertz.model.materials import LIBRARY
-from nonhertz.strength import Verdict as OfStrength
-from nonhertz.strength import assess, judge, onset_of_yield
+from nonhertz.strength import CheckStatus, assess, judge, onset_of_yield
 from nonhertz.subsurface import extremes
-from nonhertz.verdict import Level, of_bearing, of_contact
+from nonhertz.verdict import Level, judge_bearing, judge_contact
 
 CONTACTS = ("cam", "cylindrical", "gear-flank", "needle", "spherical", "tapered", "wheel-on-rail")
 
@@ -58,7 +57,7 @@ def test_published_onsets():
 
 
 def test_nothing_is_judged_by_the_limit_of_another_material():
-    found = of_contact(crowned())
+    found = judge_contact(crowned())
     assert (found.level, found.words) == (Level.NOT_JUDGED, "Not judged.")
     assert found.sentence == (
         "No limit is known of steel of no particular grade (body a and body b): name its grade, such as 100Cr6, or "
@@ -71,10 +70,10 @@ def test_both_bodies_are_judged():
     steel = nh.MATERIALS["100Cr6"]
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=1000), material=steel)
     for other, level in (("100Cr6", Level.MET), ("R260", Level.NOT_JUDGED), ("EN-AW-6082-T6", Level.NOT_MET)):
-        found = of_contact(nh.solve(nh.Contact(roller, nh.Plate(material=nh.MATERIALS[other])), load=20e3))
+        found = judge_contact(nh.solve(nh.Contact(roller, nh.Plate(material=nh.MATERIALS[other])), load=20e3))
         assert (other, found.level) == (other, level)
         swapped = nh.Contact(nh.Plate(material=nh.MATERIALS[other]), roller)
-        assert of_contact(nh.solve(swapped, load=20e3)).level is level
+        assert judge_contact(nh.solve(swapped, load=20e3)).level is level
 
 
 @pytest.mark.parametrize(
@@ -84,7 +83,7 @@ def test_both_bodies_are_judged():
 def test_yielding_is_judged_by_the_onset_in_point_and_line_contact(share, level):
     onset = onset_of_yield(0.3)[0 if share < 1.0 else 1]
     pressure = crowned().max_pressure
-    found = of_contact(crowned(yield_strength=pressure / (share * onset)), search=False)
+    found = judge_contact(crowned(yield_strength=pressure / (share * onset)), search=False)
     assert found.level is level
     assert found.words == {Level.MET: "No yielding.", Level.NOT_MET: "Limits not met."}[level]
 
@@ -92,13 +91,13 @@ def test_yielding_is_judged_by_the_onset_in_point_and_line_contact(share, level)
 def test_in_between_only_the_stress_decides():
     pressure = crowned().max_pressure
     between = crowned(yield_strength=pressure / 1.7)
-    assert of_contact(between, search=False).level is Level.NOT_JUDGED
+    assert judge_contact(between, search=False).level is Level.NOT_JUDGED
     # The contact is long: nearly a line, which yields at 1.79 times the yield strength.
-    assert of_contact(between).level is Level.MET
+    assert judge_contact(between).level is Level.MET
 
 
 def test_the_sentence_says_what_was_judged():
-    found = of_contact(crowned(pressure_limit=4000.0))
+    found = judge_contact(crowned(pressure_limit=4000.0))
     assert found.words == "Static pressure below its limit."
     pressure = crowned().max_pressure
     assert dict(found.findings[0].numbers)["pressure"].values[0] == pytest.approx(pressure)
@@ -117,11 +116,11 @@ def test_pressure_and_search_never_say_the_opposite(template):
             given = of_material(solution, material)
             hardened = getattr(given.contact, body).case_depth is not None
             quick = {check.name: check for check in judge(given, body=body, search=False)}
-            if quick["yield"].verdict is not OfStrength.UNKNOWN:
+            if quick["yield"].verdict is not CheckStatus.UNKNOWN:
                 searched = assess(given, body=body, largest=None if hardened else largest)
                 assert next(each for each in searched.checks if each.name == "yield").verdict in {
                     quick["yield"].verdict,
-                    OfStrength.UNKNOWN,
+                    CheckStatus.UNKNOWN,
                 }, (body, share)
 
 
@@ -140,10 +139,10 @@ def test_verdicts_of_the_library_agree_however_they_are_asked(name):
     roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=1000), material=material)
     case = nh.Case(nh.Contact(roller, nh.Plate(material=material)), {"load": 5e3}, {})
     solution = case.solve()
-    found = of_contact(solution)
+    found = judge_contact(solution)
     known = material.pressure_limit is not None or material.yield_strength is not None
     assert (found.level is Level.NOT_JUDGED) is not known
-    assert {of_contact(solution, (assess(solution, body=body),)).level for body in ("a", "b")} == {found.level}
+    assert {judge_contact(solution, (assess(solution, body=body),)).level for body in ("a", "b")} == {found.level}
     assert nh.sweep(case, over={"load.load": [4e3, 5e3]}).verdict.level is found.level
 
 
@@ -155,10 +154,10 @@ def test_a_bearing_is_judged_by_its_own_materials():
         row = nh.bearing.CylindricalRollerBearing(roller=roller, inner=inner, outer=outer, rollers=13)
         return nh.bearing.solve(row, radial=5e3)
 
-    assert of_bearing(bearing("100Cr6", "100Cr6"), None, None).level is Level.MET
-    hybrid = of_bearing(bearing("silicon-nitride", "100Cr6"), None, None)
+    assert judge_bearing(bearing("100Cr6", "100Cr6"), None, None).level is Level.MET
+    hybrid = judge_bearing(bearing("silicon-nitride", "100Cr6"), None, None)
     assert hybrid.level is Level.NOT_JUDGED
     assert hybrid.sentence.startswith("No limit is known of silicon-nitride (the roller): ")
     assert any("the limit of 100Cr6" in str(each) for each in hybrid.findings)
-    assert of_bearing(bearing("100Cr6", "EN-AW-6082-T6"), None, None).level is Level.NOT_MET
-    assert of_bearing(bearing("steel", "steel"), None, None).level is Level.NOT_JUDGED
+    assert judge_bearing(bearing("100Cr6", "EN-AW-6082-T6"), None, None).level is Level.NOT_MET
+    assert judge_bearing(bearing("steel", "steel"), None, None).level is Level.NOT_JUDGED

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.result.end_fit import fitted_strength
+from nonhertz.result.end_fit import fit_strength
 
 # kappa, length [mm], load [N], crown radius [mm], K [MPa mm^alpha], relative error documented
 CASES = [
@@ -42,7 +42,7 @@ def test_strength(element, kappa, length, load, crown, expected, error):
 
 def test_pressures_that_are_no_numbers_have_no_strength():
     pressure = np.where(np.arange(10) == 1, np.nan, 100.0)
-    assert fitted_strength(np.linspace(0.0, 1.0, 11), pressure, (0.0, 0.0), 1.0, nh.SEMI_ELLIPTIC) == (None, None)
+    assert fit_strength(np.linspace(0.0, 1.0, 11), pressure, (0.0, 0.0), 1.0, nh.SEMI_ELLIPTIC) == (None, None)
 
 
 # Straight rollers, where the contact is widest at its ends: kappa, length [mm], load [N], and the largest half-width

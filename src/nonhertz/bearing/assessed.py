@@ -42,7 +42,7 @@ from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
-from nonhertz.life.spectrum import checked_shares, miner
+from nonhertz.life.spectrum import check_shares, miner
 from nonhertz.result.brief import plain_text
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
@@ -374,7 +374,7 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
         if not isinstance(each, BearingSolution):
             raise InputError("solution", each, condition, remedy)
 
-    return checked_shares(solution, check, "bearing", condition, remedy)
+    return check_shares(solution, check, "bearing", condition, remedy)
 
 
 def _check_oil(asked: _Conditions, speed: object, solution: BearingSolution) -> None:

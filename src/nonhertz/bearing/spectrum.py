@@ -18,7 +18,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import numbers, positive
 from nonhertz.inputs.descriptions import Quantity
 from nonhertz.inputs.fields import input_class
-from nonhertz.life.spectrum import at_most_whole, checked_cases, share_of_revolutions
+from nonhertz.life.spectrum import at_most_whole, check_cases, share_of_revolutions
 
 _SHARE = "give the share of the revolutions, above 0 and at most 1"
 
@@ -88,7 +88,7 @@ def solve_spectrum(
     >>> round(nh.bearing.assess(pairs).equivalent_load, -1)
     6500.0
     """
-    cases = checked_cases("cases", cases, LoadCase)
+    cases = check_cases("cases", cases, LoadCase)
     at_most_whole("share", [case.share for case in cases], "give all loads with their shares of the revolutions")
     options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)

@@ -21,7 +21,7 @@ from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
 from nonhertz.maps.misses import SAFETY
 from nonhertz.result.brief import plain_text
-from nonhertz.result.read_only import ReadOnly, read_only
+from nonhertz.result.read_only import ReadOnly, freeze
 
 Array = NDArray[np.float64]
 Kind = Literal["linear", "cubic"]
@@ -79,7 +79,7 @@ class ForceTable(ReadOnly):
     def __post_init__(self) -> None:
         super().__post_init__()
         for axis in self.axes:
-            read_only(axis)
+            freeze(axis)
 
     def __repr__(self) -> str:
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]

@@ -25,7 +25,7 @@ from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import whole
 from nonhertz.show.bearing import compared_sections, sections
-from nonhertz.verdict import findings_of
+from nonhertz.verdict import collect_findings
 
 
 def bearing(
@@ -112,7 +112,7 @@ def bearing(
         shown,
         result.to_json,
         case.verdict(solution, life),
-        findings_of(*judged),
+        collect_findings(*judged),
         made,
     )
 

@@ -17,7 +17,7 @@ from nonhertz.files.casefile import read_case, with_file_path
 from nonhertz.files.comparisons import as_object, files
 from nonhertz.files.results import key_by_key
 from nonhertz.show.comparison import sections
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 _METHODS = 3
 
@@ -60,5 +60,5 @@ def compare(
     made = write_outputs(
         out, lambda: files(comparison, title), lambda: {"comparison": plot.comparison(comparison, title)}
     )
-    verdict, text = of_contact(comparison.semi_elliptic), lambda: key_by_key(as_object(comparison, title))
+    verdict, text = judge_contact(comparison.semi_elliptic), lambda: key_by_key(as_object(comparison, title))
     return Answer(title, sections(comparison), text, verdict, comparison.warnings, made)

@@ -22,7 +22,7 @@ from nonhertz.plot import dent_figure, life_figure
 from nonhertz.show.analysis import assessed, models_for, spectrum_solved
 from nonhertz.show.lives import compared_section, sections
 from nonhertz.show.sections import Said, Section, assumed_section
-from nonhertz.verdict import worst_of
+from nonhertz.verdict import worst_verdict
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -78,7 +78,9 @@ def life(
     verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
     made = write_outputs(out, lambda: files(first, other), lambda: _draw_figures(first, other))
     shown = [*_list_sections([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
-    return Answer(first.title, shown, lambda: key_by_key(as_object(first, other)), worst_of(verdicts), written=made)
+    return Answer(
+        first.title, shown, lambda: key_by_key(as_object(first, other)), worst_verdict(verdicts), written=made
+    )
 
 
 def _draw_figures(assessment: Assessment, other: Assessment | None) -> Mapping[str, Figure]:

@@ -16,7 +16,7 @@ from nonhertz.files.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
 from nonhertz.show.sections import Said, Section
 from nonhertz.show.solving import solved
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 _NOTICED = 1e-6  # of the load
 
@@ -53,7 +53,7 @@ def nodes(
     loads = solution.at_nodes(mesh.x, mesh.y)
     made = write_files(path.parent, {path.name: as_table(mesh, loads)})
     shown, text = _describe_loads(solution, loads), lambda: key_by_key(as_object(solution, loads, read.title))
-    return Answer(read.title, [Section("", [Said(shown)])], text, of_contact(solution), solution.warnings, made)
+    return Answer(read.title, [Section("", [Said(shown)])], text, judge_contact(solution), solution.warnings, made)
 
 
 def _describe_loads(solution: Solution, loads: NodalLoads) -> list[str]:

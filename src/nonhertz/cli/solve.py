@@ -18,7 +18,7 @@ from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section
 from nonhertz.show.solving import attempted
 from nonhertz.show.summary import overview_table, sections
-from nonhertz.verdict import of_contact, worst_of
+from nonhertz.verdict import judge_contact, worst_verdict
 
 TABLE = "cases.csv"
 TABLES = (".csv", ".xlsx")
@@ -50,7 +50,7 @@ def solve(
     result = Result(read, solution)
     shown = sections(solution, read)
     return Answer(
-        read.title, shown, result.to_json, of_contact(solution), solution.warnings,
+        read.title, shown, result.to_json, judge_contact(solution), solution.warnings,
         save_result(result, out), [complaint] if complaint else [], NOT_CONVERGED if complaint else FINE, wide=None,
     )  # fmt: skip
 
@@ -65,7 +65,7 @@ def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path 
     complaints = [(attempt.name, sentence) for attempt in attempts for sentence in attempt.complaints]
     return Answer(
         "", [Section("", [overview_table(attempts)])], lambda: json.dumps(objects(attempts), allow_nan=False),
-        worst_of({f"in {attempt.name}": attempt.verdict for attempt in attempts}),
+        worst_verdict({f"in {attempt.name}": attempt.verdict for attempt in attempts}),
         [f"{attempt.name}: {one}" for attempt in attempts if attempt.solution for one in attempt.solution.warnings],
         () if out is None else _write_several(out, attempts, workbook),
         [words if words.startswith(name) else f"{name}: {words}" for name, words in complaints],

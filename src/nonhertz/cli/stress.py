@@ -21,7 +21,7 @@ from nonhertz.show.sections import assumed_section
 from nonhertz.show.solving import solved
 from nonhertz.show.stresses import sections
 from nonhertz.strength import assess
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 _SEARCHES = 2  # for the largest stresses: in the whole body and in a cross-section
 _STATION_REMEDY = "choose a position in the body, or leave it out for the cross-section of the largest von Mises stress"
@@ -74,6 +74,6 @@ def stress(
             planes = stress_planes(solution, extremes[1])
             figures = functools.partial(stress_figures, solution, *extremes, read.title, planes)
             made = write_outputs(out, lambda: files(text, planes), figures)
-    shown, verdict = sections(solution, *extremes, (strength,)), of_contact(solution, (strength,))
+    shown, verdict = sections(solution, *extremes, (strength,)), judge_contact(solution, (strength,))
     shown = [*shown, assumed_section(read.assumed)]
     return Answer(read.title, shown, lambda: text, verdict, all_findings(solution, *extremes), made)

@@ -14,7 +14,7 @@ from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warni
 from nonhertz.inputs.checks import callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.patch import solve as solve_patch
-from nonhertz.patch.resources import checked_cells
+from nonhertz.patch.resources import check_cells
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import Goal, Strips, solve
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC, Element
@@ -80,7 +80,7 @@ def compare(
     """
     callback("announce", announce)
     if cells is not None:  # checked before the strips are solved
-        checked_cells(cells)
+        check_cells(cells)
     if threads is not None:
         thread_count(threads)
     prescribed: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}

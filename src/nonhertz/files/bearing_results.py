@@ -20,7 +20,7 @@ from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within
 from nonhertz.result.quantities import ALONG, Quantity
 from nonhertz.result.tables import csv_text, heading
-from nonhertz.verdict import findings_of
+from nonhertz.verdict import collect_findings
 
 if TYPE_CHECKING:
     from nonhertz.bearing.assessed import BearingLife
@@ -246,7 +246,7 @@ def keys() -> tuple[Key, ...]:
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
         results.assumed_key("case.assumed"),
         results.verdict_key(lambda rated: rated.case.verdict(rated.solution, rated.life)),
-        *results.warning_keys(lambda rated: findings_of(rated.solution, rated.life, rated.case.operating_clearance)),
+        *results.warning_keys(lambda it: collect_findings(it.solution, it.life, it.case.operating_clearance)),
         results.UNITS,
         Key("case", "the bearing as in a file, with all defaults", get="case.own_document", holds="object"),
     )  # fmt: skip

@@ -241,10 +241,10 @@ class BearingCase(CaseBase):
 
     def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Verdict | None:
         """Return the verdict on the loaded bearing, with its life if it has one."""
-        from nonhertz.verdict import of_bearing
+        from nonhertz.verdict import judge_bearing
 
         _check_loaded(solution, life)
-        return of_bearing(solution, life, self.operating_clearance, self.films(solution), self.limits(solution))
+        return judge_bearing(solution, life, self.operating_clearance, self.films(solution), self.limits(solution))
 
     @property
     def _rating(self) -> Rating | None:

@@ -13,7 +13,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.result.status import Status
 from nonhertz.result.tables import csv_text, heading
 from nonhertz.strip.element import ELEMENTS
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -64,7 +64,7 @@ CONTACT: Final = (
         Key("strips", "number of strips", holds="integer"),
         Key("error_estimate", "estimated discretisation errors, relative", holds=_ERRORS),
     ),
-    results.verdict_key(lambda solved: of_contact(solved.solution)),
+    results.verdict_key(lambda solved: judge_contact(solved.solution)),
     results.assumed_key("case.assumed"),
     *results.warning_keys(lambda solved: solved.solution.findings),
     results.findings_key(

@@ -15,7 +15,7 @@ from nonhertz.life import Life, Overrolled, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
-from nonhertz.verdict import Verdict, of_loads, with_life
+from nonhertz.verdict import Verdict, add_life, judge_loads
 
 _COLUMNS = ("body", "model", "y [mm]", "density")
 
@@ -82,7 +82,7 @@ class Assessment:
     def verdict(self) -> Verdict | None:
         """Whether the bodies bear their loads, the worst of all, and last as long as is asked for, by every model."""
         lives = [self.million_revolutions(number) for number in range(len(self.lives["b"]))]
-        return with_life(of_loads(self.spectrum), min(filter(None, lives), default=None), self.required)
+        return add_life(judge_loads(self.spectrum), min(filter(None, lives), default=None), self.required)
 
     @property
     def warnings(self) -> tuple[str, ...]:

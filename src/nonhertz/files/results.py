@@ -21,7 +21,7 @@ from nonhertz.findings import Finding, as_warnings
 from nonhertz.inputs import descriptions
 from nonhertz.inputs.fields import Input
 from nonhertz.result.quantities import Quantity
-from nonhertz.verdict import Verdict, given_verdict
+from nonhertz.verdict import Verdict, verdict_to_object
 
 Get = Callable[[Any], Any]
 
@@ -205,7 +205,7 @@ def verdict_key(verdict: Callable[[Any], Verdict | None]) -> Key:
         "whether limits are met: level (met, strained, not-judged, unlimited or not-met), and the findings that decide "
         "it, worst first; of several, where says which of them it is; null where nothing can be said"
     )
-    return Key("verdict", meaning, get=lambda result: given_verdict(verdict(result)), holds="object", nullable=True)
+    return Key("verdict", meaning, get=lambda result: verdict_to_object(verdict(result)), holds="object", nullable=True)
 
 
 def models_key(get: Get | str, bodies: Mapping[str, str]) -> Key:

@@ -13,7 +13,7 @@ from nonhertz.files.results import plain
 from nonhertz.inputs.files import printable_name
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.tables import heading
-from nonhertz.verdict import Verdict, of_contact
+from nonhertz.verdict import Verdict, judge_contact
 
 if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
@@ -62,7 +62,7 @@ class Attempt:
     @property
     def verdict(self) -> Verdict | None:
         """Whether the contact bears its load; None if it was not solved."""
-        return None if self.solution is None or self.complaints else of_contact(self.solution)
+        return None if self.solution is None or self.complaints else judge_contact(self.solution)
 
     @property
     def status(self) -> str:

@@ -17,7 +17,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.result.tables import csv_text
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes, Field
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 #: Names in tables of the stresses of which the largest are searched.
 LARGEST: Final = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
@@ -70,7 +70,7 @@ STRESSES: Final = (
         ),
     ),
     Key("strength", "whether the body bears them", holds=_STRENGTH),
-    results.verdict_key(lambda stress: of_contact(stress.solution, (stress.strength,))),
+    results.verdict_key(lambda stress: judge_contact(stress.solution, (stress.strength,))),
     *results.warning_keys(lambda stress: all_findings(stress.solution, stress.overall, stress.section)),
     results.UNITS,
 )  # fmt: skip

@@ -25,7 +25,7 @@ from nonhertz.inputs.checks import check_list, whole
 from nonhertz.life.capacity import Raceway, raceway
 from nonhertz.life.catalogue import MODELS, RATED, Model, VolumeModel, lundberg_palmgren, model
 from nonhertz.life.lamina import EXPONENT, LEFT_OUT, LaminaModel, laminae_of
-from nonhertz.life.spectrum import checked_shares, miner
+from nonhertz.life.spectrum import check_shares, miner
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
@@ -35,7 +35,7 @@ from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.solution import Solution, Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
-from nonhertz.subsurface.inside import Inside, checked_body, checked_solution
+from nonhertz.subsurface.inside import Inside, check_body, check_solution
 
 Array = NDArray[np.float64]
 Spectrum = Sequence[tuple[Solved, float]]
@@ -196,8 +196,8 @@ def assess(
     0.75
     """
     refuse_options("assess", options, Running)
-    checked_body(body)
-    chosen = _chosen(models)
+    check_body(body)
+    chosen = _choose_models(models)
     spectrum = _spectrum(solution)
     ring, why = raceway(spectrum[0][0].contact, contact_angle=contact_angle)
     bearing = _Bearing(ring, why, _checked_rollers(rollers, ring), body)
@@ -206,9 +206,9 @@ def assess(
         seen = [exposure(solution, body, **options) for solution, _ in spectrum]
     shares = np.array([share for _, share in spectrum])
     return tuple(
-        _by_volume(member, spectrum, seen, shares, bearing)
+        _assess_volume(member, spectrum, seen, shares, bearing)
         if isinstance(member, VolumeModel)
-        else _by_laminae(member, spectrum, shares, bearing)
+        else _assess_laminae(member, spectrum, shares, bearing)
         for member in chosen
     )
 
@@ -232,7 +232,7 @@ def _checked_rollers(rollers: int | None, ring: Raceway | None) -> int | None:
     return rollers
 
 
-def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
+def _choose_models(models: Model | str | Iterable[Model | str]) -> list[Model]:
     several = [models] if isinstance(models, str | VolumeModel | LaminaModel) else models
     remedy = f"give models or their names: {', '.join(MODELS)}"
     members = check_list("models", several, "be a fatigue model or several", remedy)
@@ -245,17 +245,19 @@ def _chosen(models: Model | str | Iterable[Model | str]) -> list[Model]:
 
 def _spectrum(solution: Solved | Spectrum) -> Spectrum:
     if isinstance(solution, Solution | PatchSolution):
-        return [(checked_solution(solution), 1.0)]
+        return [(check_solution(solution), 1.0)]
     condition, remedy = "be a solved contact or several with their shares", "give pairs of a solution and its share"
-    return checked_shares(solution, checked_solution, "contact", condition, f"{remedy} of the revolutions")
+    return check_shares(solution, check_solution, "contact", condition, f"{remedy} of the revolutions")
 
 
-def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, bearing: _Bearing) -> Life:
+def _assess_volume(
+    chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, bearing: _Bearing
+) -> Life:
     ring, why, rollers, body = bearing
     damages = np.array([exposed.damage(chosen) for exposed in seen])
     ideal = [exposed.reference for exposed in seen]
     references = np.array([math.nan if exposed is None else exposed.damage(chosen) for exposed in ideal])
-    damage, reference = (_together(values, shares, chosen.slope) for values in (damages, references))
+    damage, reference = (_combine_damage(values, shares, chosen.slope) for values in (damages, references))
     y, density = _density(
         [exposed.y for exposed in seen], [exposed.density(chosen) for exposed in seen], damages, shares, chosen
     )
@@ -279,7 +281,7 @@ def _by_volume(chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], sh
     )
 
 
-def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing: _Bearing) -> Life:
+def _assess_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing: _Bearing) -> Life:
     ring, why, rollers, body = bearing
     cut = [laminae_of(solution, chosen) for solution, _ in spectrum]
     edges = cut[0].edges
@@ -288,7 +290,7 @@ def _by_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing:
     of_laminae = [laminae.damage(capacity) for laminae in cut]
     damages = np.array([damage_of_each.sum() for damage_of_each in of_laminae])
     references = np.array([(solution.load / capacity) ** EXPONENT for solution, _ in spectrum])
-    damage, reference = (_together(values, shares, chosen.slope) for values in (damages, references))
+    damage, reference = (_combine_damage(values, shares, chosen.slope) for values in (damages, references))
     y = 0.5 * (edges[1:] + edges[:-1])
     _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
     sharp = {end for laminae in cut for end in laminae.sharp}
@@ -369,7 +371,7 @@ def _why_unrated(
     return None if rollers is not None else Finding.from_text(_NO_ROLLERS)
 
 
-def _together(damages: Array, shares: Array, slope: float) -> float:
+def _combine_damage(damages: Array, shares: Array, slope: float) -> float:
     """Return the damage under a constant load with the same life as the spectrum."""
     return float((shares @ damages ** (1.0 / slope)) ** slope)
 
@@ -379,7 +381,7 @@ def _density(
 ) -> tuple[Array, Array]:
     """Return the union of all stations, and the damage per length there whose integral is the spectrum's damage."""
     slope = model.slope
-    together = _together(damages, shares, slope)
+    together = _combine_damage(damages, shares, slope)
     stations = y[0] if len(y) == 1 else np.unique(np.concatenate(y))
     total = np.zeros(stations.size)
     for along, density, damage, share in zip(y, densities, damages, shares, strict=True):

@@ -30,7 +30,7 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
-from nonhertz.life.volume import Exposure, depths, exposure, levels, over_depth
+from nonhertz.life.volume import Exposure, depths, exposure, integrate_over_depth, levels
 from nonhertz.model.body import BodyName
 from nonhertz.patch.features import Dent
 from nonhertz.patch.solution import PatchSolution
@@ -39,7 +39,7 @@ from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.solution import Solved
 from nonhertz.subsurface.evaluation import stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, von_mises_of
-from nonhertz.subsurface.inside import checked_body, checked_solution
+from nonhertz.subsurface.inside import check_body, check_solution
 from nonhertz.subsurface.rectangles import Rectangles
 
 Array = NDArray[np.float64]
@@ -123,7 +123,7 @@ class Overrolled(HasFindings, ReadOnly):
         evaluated, fill = levels()
         stresses = np.maximum(getattr(self, model.stress if dented else f"smooth_{model.stress}") @ fill.T, 0.0)
         scale = self.z[-1] / evaluated[-1]
-        return over_depth(model, stresses, *(scale * values for values in depths()))
+        return integrate_over_depth(model, stresses, *(scale * values for values in depths()))
 
     def relative_life(
         self,
@@ -229,8 +229,8 @@ def overrolled(
     >>> round(found.relative_life(nh.life.zaretsky(), dents=10), 1)
     0.9
     """
-    checked_body(body)
-    contact, half_width = checked_solution(solution).contact, solution.max_half_width
+    check_body(body)
+    contact, half_width = check_solution(solution).contact, solution.max_half_width
     _refuse_place(solution, dent)
     callback("announce", announce)
     least = min(dent.diameter, half_width)
@@ -250,7 +250,7 @@ def overrolled(
     coarse = [finding("coarse-cells", words, side=mm(side), usual=mm(usual))] if side > usual else []
     with without_accuracy_warnings():
         smooth, options = _grid(solution, dent, side)
-        passed = _passed(smooth, options, dent, announce)
+        passed = _solve_passage(smooth, options, dent, announce)
     around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
     differences = {place: patch.pressure - smooth.pressure for place, patch in passed.items()}
     places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
@@ -305,7 +305,7 @@ def _grid(solution: Solved, dent: Dent, side: float) -> tuple[PatchSolution, dic
     return smooth, options | {"approach": smooth.approach, "tilt": smooth.tilt}
 
 
-def _passed(
+def _solve_passage(
     smooth: PatchSolution, options: dict[str, Any], dent: Dent, announce: Callable[[int, int], object] | None
 ) -> dict[int, PatchSolution]:
     """Return the solutions with the dent at all positions, in cells from the middle, where it changes the pressure."""
@@ -351,7 +351,7 @@ class _Surroundings:
         across = cells.dx * np.arange(-window, window + 1)
         # There is nothing where a thin wall ends.
         smooth = np.nan_to_num(stress(solution, across[:, None, None], y[:, None], z, body=body).stress)
-        added = _below(cells, window, rows, z, own.material.poisson)
+        added = _stress_below(cells, window, rows, z, own.material.poisson)
         x = cells.dx * np.concatenate([-columns[:0:-1], columns])
         return cls(x, y, columns, window, shallow, smooth, added)
 
@@ -402,7 +402,7 @@ def _measures(stresses: Array) -> Array:
     return np.stack([tau, -tau, max_shear_of(stresses), von_mises_of(stresses)])
 
 
-def _below(
+def _stress_below(
     cells: PatchSolution, window: int, rows: NDArray[np.int64], z: Array, poisson: float
 ) -> Callable[[Array], Array]:
     """Return a function from pressures on cells to the stress below their middles, shape (columns, rows, depths, 6)."""

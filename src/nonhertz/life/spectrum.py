@@ -29,7 +29,7 @@ def at_most_whole(name: str, shares: Iterable[float], remedy: str) -> None:
         raise InputError(name, round(total, 6), "add up to 1 at most", remedy)
 
 
-def checked_shares(
+def check_shares(
     solution: object, check: Callable[[object], object], of: str, condition: str, remedy: str
 ) -> list[tuple[Any, float]]:
     """Return pairs of a checked solution and its share, all of one contact or bearing."""
@@ -45,7 +45,7 @@ def checked_shares(
     return pairs
 
 
-def checked_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
+def check_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
     """Return load cases of a kind in a list; refuse anything else, and none at all."""
     remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.LoadCase"
     items: list[Case] = check_list(name, cases, "be load cases", remedy)
@@ -140,7 +140,7 @@ def solve_spectrum(
     >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
     [0.2, 0.8]
     """
-    cases = checked_cases("cases", cases, LoadCase)
+    cases = check_cases("cases", cases, LoadCase)
     total = refuse_other_than_whole("share", cases, "give all loads with their shares of the revolutions")
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
     aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}

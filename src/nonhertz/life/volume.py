@@ -95,14 +95,14 @@ class Exposure(ReadOnly):
         if not isinstance(model, VolumeModel):
             raise InputError("model", model, "be an integral over the volume", "give a VolumeModel")
         counted = np.where(self.counted, getattr(self, model.stress), 0.0)
-        return over_depth(model, counted, self.z, self.height)
+        return integrate_over_depth(model, counted, self.z, self.height)
 
     def damage(self, model: VolumeModel) -> float:
         """Return the integral over y and z of ``<s - s_u>^k / z^h`` [MPa^k mm^(2-h)]."""
         return float(self.width @ self.density(model))
 
 
-def over_depth(model: VolumeModel, stresses: Array, z: Array, height: Array) -> Array:
+def integrate_over_depth(model: VolumeModel, stresses: Array, z: Array, height: Array) -> Array:
     """Return the integral of ``<s - s_u>^k / z^h`` [MPa^k mm^(1-h)] over depths z with their weights, the last axis."""
     suffered = np.maximum(stresses - model.fatigue_limit, 0.0) ** model.exponent
     return np.asarray(np.sum(suffered * height * z**-model.depth_exponent, axis=-1))
@@ -168,7 +168,7 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
         fill = block_diag(fill, np.eye(DEEP))
     seen = (revolution if bends else passage)(solution, y[:, None], depth, body=body, **options)
     amplitudes = {name: np.maximum(getattr(seen, name) @ fill.T, 0.0) for name in QUANTITIES}
-    return _exposed(solution, body, (y, width, half_width, z, height), amplitudes)
+    return _make_exposure(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
 def section_exposure(solution: Solved, body: BodyName) -> Exposure:
@@ -193,7 +193,7 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     amplitudes = {name: pressure[:, None] * amplitude for name, amplitude in plane.items()}
     amplitudes["orthogonal_shear"] = _from_nearby(solution, y, half_width, plane["orthogonal_shear"])
     z, height = (half_width[:, None] * values for values in depths())
-    return _exposed(solution, body, (y, width, half_width, z, height), amplitudes)
+    return _make_exposure(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
 def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) -> Array:
@@ -234,7 +234,7 @@ def _plane_strain(poisson: float) -> dict[str, Array]:
     return {name: fill @ values / line.max_pressure for name, values in passage.items()}
 
 
-def _exposed(
+def _make_exposure(
     solution: Solved,
     body: BodyName,
     points: tuple[Array, Array, Array, Array, Array],
@@ -294,7 +294,7 @@ def even_exposure(
     low, high = contact.land if span is None else span
     if not np.isfinite(high - low):
         return None
-    edges = np.linspace(low, high, 2 if _even(contact) else 65)
+    edges = np.linspace(low, high, 2 if _is_even(contact) else 65)
     y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     poisson = (contact.a if body == "a" else contact.b).material.poisson
     lines = [
@@ -309,7 +309,7 @@ def even_exposure(
     return Exposure(body, y, width, half_width, z, height, **amplitudes, counted=counted, reference=None, sharp=())
 
 
-def _even(contact: Contact) -> bool:
+def _is_even(contact: Contact) -> bool:
     """Return whether the curvature is constant along y."""
     low, high = contact.interval
     curvature = contact.curvature(np.linspace(low, high, 65))

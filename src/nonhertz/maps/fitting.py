@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nonhertz.maps.evaluation import CENTRE, NARROW, TILT_HIGH, TILT_LOW, WIDENING
 from nonhertz.maps.spline import knot_count, polynomials_in_cells, roughness, rows
 from nonhertz.native import core
-from nonhertz.result.read_only import read_only
+from nonhertz.result.read_only import freeze
 
 if TYPE_CHECKING:
     from scipy import sparse
@@ -228,6 +228,6 @@ def table(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, oth
         others cell by cell.
     """
     arranged = np.moveaxis(polynomials_in_cells(breaks, others), 0, 2)
-    return read_only(
+    return freeze(
         np.concatenate([numbers, *breaks, polynomials_in_cells(breaks, mean_approach).ravel(), arranged.ravel()])
     )

@@ -51,7 +51,7 @@ class Unseen:
     lift: float
 
 
-def between(solution: PatchSolution, gap: Gap) -> Unseen:
+def find_unseen_overlap(solution: PatchSolution, gap: Gap) -> Unseen:
     """Return what the gap (x, y) [mm] -> [mm] does between the cell centres of a solution."""
     undeformed = gap(solution.x[:, None], solution.y[None, :])
     whole = np.isfinite(undeformed)

@@ -151,7 +151,7 @@ def solve_on(
         finest, undeformed = level is grid, problem.gap(*level.centres)
         if np.isfinite(undeformed).any():
             task = problem.task(level, undeformed, pool, rough or not finest)
-            pressure = task.start() if pressure is None else refined(pressure, level.cells)
+            pressure = task.start() if pressure is None else refine_pressure(pressure, level.cells)
             state = settle(task, pressure, rigid, tolerance if finest else max(tolerance, ROUGHLY))
             pressure, rigid, count = state.pressure, state.rigid, task.displacement.count
         elif not finest:
@@ -167,7 +167,7 @@ def solve_on(
     return Outcome(grid, state, count, tuple(levels))
 
 
-def halved(
+def solve_on_half(
     problem: PatchProblem, outcome: Outcome, tolerance: float, pool: Executor | None = None
 ) -> tuple[GridLevel, ...]:
     """Return up to two grids, each with half as many cells in both directions, and the finest; from coarse to fine.
@@ -190,7 +190,7 @@ def halved(
     return tuple(reversed(levels))
 
 
-def refined(pressure: Array, cells: tuple[int, int]) -> Array:
+def refine_pressure(pressure: Array, cells: tuple[int, int]) -> Array:
     """Return a pressure on a finer grid over the same region, linear between cell centres.
 
     The footprint comes out somewhat too large, which is the safe side: cells leave it more readily than they enter.

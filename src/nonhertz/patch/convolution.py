@@ -28,7 +28,7 @@ from nonhertz.bodies.influence import Influence
 from nonhertz.patch.free_faces import free_ends
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
-from nonhertz.patch.transform import ROWS, fast_half, filtered, in_blocks, times_even
+from nonhertz.patch.transform import ROWS, fast_half, filter_blocks, run_in_blocks, times_even
 
 Array = NDArray[np.float64]
 Spectrum = NDArray[np.complex128]
@@ -72,7 +72,7 @@ class Convolution:
     def __call__(self, pressure: Array) -> Array:
         """Return the displacement [mm] under a pressure times K [-], both of shape (nx, ny)."""
         self.count += 1
-        displacement = filtered(pressure, (2 * self._half[0], 2 * self._half[1]), self._product, self._pool)
+        displacement = filter_blocks(pressure, (2 * self._half[0], 2 * self._half[1]), self._product, self._pool)
         for end, spectrum in self._ends:
             displacement += self._across(end.gathered(pressure), spectrum) @ end.weights.T
         if self._at_depth is not None:
@@ -98,7 +98,7 @@ class Convolution:
         def fill(rows: slice) -> None:
             kernel[rows] = of(x_edges[rows.start : rows.stop + 1])
 
-        in_blocks(fill, kernel.shape[0], ROWS, self._pool)
+        run_in_blocks(fill, kernel.shape[0], ROWS, self._pool)
         return kernel
 
     def _product(self, columns: Spectrum, at: slice) -> Spectrum:

@@ -133,7 +133,7 @@ def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd
         Length of a cell [mm].
     """
     ends = []
-    faces = merged(faces)
+    faces = merge_faces(faces)
     for place, side in dict.fromkeys((face.y, face.side) for face in faces):
         nearest = float(y[0] if side < 0 else y[-1])
         nodes, weights = _nodes(max(side * (place - nearest) - 0.5 * dy, 0.0), dy, y.size)
@@ -148,7 +148,7 @@ def most_nodes(count: int) -> int:
     return near + sum(min(beyond - first, NODES) for first, beyond in _panels(0.0, near, count))
 
 
-def merged(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
+def merge_faces(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
     """Return side faces with one share for those at the same place and of the same Poisson's ratio."""
     shares: dict[FreeSide, float] = {}
     for face in faces:

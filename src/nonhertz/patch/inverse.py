@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from nonhertz.patch.grid import Grid
 from nonhertz.patch.kernel import edges_from, rectangles
-from nonhertz.patch.transform import fast_half, filtered, times_even
+from nonhertz.patch.transform import fast_half, filter_blocks, times_even
 
 Array = NDArray[np.float64]
 
@@ -51,4 +51,6 @@ class Inverse:
 
     def __call__(self, displacement: Array) -> Array:
         """Return approximately the pressure times K [-] for a displacement [mm], both of shape (nx, ny)."""
-        return filtered(displacement, self._size, lambda waves, at: times_even(waves, self._symbol[:, at]), self._pool)
+        return filter_blocks(
+            displacement, self._size, lambda waves, at: times_even(waves, self._symbol[:, at]), self._pool
+        )

@@ -19,7 +19,7 @@ from nonhertz.bodies.influence import FreeSide
 from nonhertz.errors import InputError
 from nonhertz.patch.cascade import Outcome, PatchProblem
 from nonhertz.patch.features import Dent
-from nonhertz.patch.free_faces import at_points, merged
+from nonhertz.patch.free_faces import at_points, merge_faces
 from nonhertz.patch.grid import Grid, Span
 from nonhertz.patch.kernel import rectangles
 from nonhertz.patch.surface import Gap, Surface
@@ -113,7 +113,7 @@ def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
         x_half, y_half, samples = LARGER * x_half, LARGER * y_half, [SCANNED, SCANNED]
 
 
-def lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
+def find_lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
     """Return the lowest place, refined from the lowest sample."""
     place, window = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda sample: sample[0].value)
     for _ in range(MOST_CLOSER):
@@ -127,7 +127,7 @@ def lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
 def penetration(gap: Gap, grid: Grid, approach: float, tilt: float) -> float:
     """Return the largest interference of the undeformed bodies within the region [mm]."""
     y = np.concatenate([grid.y_span[:1], grid.y, grid.y_span[1:]])
-    return approach - lowest(gap, tilt, (Window(grid.x, y),)).value
+    return approach - find_lowest(gap, tilt, (Window(grid.x, y),)).value
 
 
 def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Window, ...]) -> tuple[Span, Span]:
@@ -170,7 +170,7 @@ def finite_rows(gap: Gap, several: Iterable[Window]) -> tuple[Array, Span]:
     return rows_known, (float(sampled[max(first - 1, 0)]), float(sampled[min(last + 1, sampled.size - 1)]))
 
 
-def least_held(gap: Gap, window: Window) -> float:
+def least_closing_approach(gap: Gap, window: Window) -> float:
     """Return the approach [mm] at which bodies that are free to tilt begin to touch without a moment.
 
     It is where the lower convex hull of the gap over y crosses the line y = 0: below it, some tilt keeps them apart.
@@ -187,7 +187,7 @@ def least_held(gap: Gap, window: Window) -> float:
     return min(values)
 
 
-def overlap(
+def find_overlap(
     problem: PatchProblem, outcome: Outcome, several: Iterable[Window], *, smooth: bool, region_given: bool = False
 ) -> Overlap | None:
     """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
@@ -202,22 +202,27 @@ def overlap(
     largest = outcome.largest_displacement(surface(*grid.centres))
     overlaps: list[Overlap] = []
     least, margin = CLEAR if region_given else SEEN, NEAR if smooth else 0.0
-    coarse, (terms, faces) = _lumps(grid, state.pressure), (problem.influence.terms, merged(problem.influence.faces))
+    coarse, (terms, faces) = (
+        _lumps(grid, state.pressure),
+        (problem.influence.terms, merge_faces(problem.influence.faces)),
+    )
     images = terms[(terms[:, :2] != (1.0, 0.0)).any(axis=1)]
     for window in several:
-        gap = window.of(surface, state.rigid[1]) - state.rigid[0] - _sunk(problem, grid, state.pressure, window.y)
+        gap = window.of(surface, state.rigid[1]) - state.rigid[0] - _sink(problem, grid, state.pressure, window.y)
         at = np.argwhere(_outside(window, grid, margin) & (gap < 0.0))
         if not at.size:
             continue
         x, y = window.x[at[:, 0]], window.y[at[:, 1]]
         gap = gap[tuple(at.T)]
-        separation = gap + _raised(terms, (), coarse, x, y)
+        separation = gap + _displacement(terms, (), coarse, x, y)
         # Free faces only raise more, and take longer.
         suspects = np.flatnonzero(separation < SUSPECT * largest)
-        separation[suspects] += _raised(terms[:0], faces, coarse, x[suspects], y[suspects])
-        chosen = _chosen(at, separation, suspects[separation[suspects] < SUSPECT * largest])
+        separation[suspects] += _displacement(terms[:0], faces, coarse, x[suspects], y[suspects])
+        chosen = _choose_suspects(at, separation, suspects[separation[suspects] < SUSPECT * largest])
         at, x, y = at[chosen], x[chosen], y[chosen]
-        separation = gap[chosen] + _raised(images, faces, coarse, x, y) + _raised_nearby(grid, state.pressure, x, y)
+        separation = (
+            gap[chosen] + _displacement(images, faces, coarse, x, y) + _displacement_nearby(grid, state.pressure, x, y)
+        )
         far = _outside(window, grid, NEAR)
         for i, j, depth in zip(*at.T, -separation, strict=True):
             if depth > (least if far[i, j] else SEEN_NEAR) * largest:
@@ -231,7 +236,7 @@ def overlap(
     return Overlap(deepest.x, deepest.y, deepest.depth, x_span, y_span)
 
 
-def _chosen(at: NDArray[np.intp], separation: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
+def _choose_suspects(at: NDArray[np.intp], separation: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return the suspects to examine: the lowest, and the outermost, which decide how far the region must extend."""
     if suspects.size <= MOST_SUSPECTS:
         return suspects
@@ -296,7 +301,7 @@ def _lumps(grid: Grid, pressure: Array) -> Lumps:
     return force * grid.dx * grid.dy, x, y, size
 
 
-def _raised(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y: Array) -> Array:
+def _displacement(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y: Array) -> Array:
     """Return the displacement that images and free side faces make of forces at places, shape (places,)."""
     force, x_force, y_force, size = lumps
     total: Array = np.zeros(x.size)
@@ -315,7 +320,7 @@ def _raised(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y
     return total
 
 
-def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
+def _displacement_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
     """Return the displacement at places without images, under uniform pressure on small lumps, shape (places,)."""
     starts = _starts(grid, SMALL_LUMPS)
     x_at, y_at = (np.append(start, n) for start, n in zip(starts, grid.cells, strict=True))
@@ -325,7 +330,7 @@ def _raised_nearby(grid: Grid, pressure: Array, x: Array, y: Array) -> Array:
     return np.array([np.vdot(rectangles(x_edges - a, y_edges - b), mean) for a, b in zip(x, y, strict=True)])
 
 
-def _sunk(problem: PatchProblem, grid: Grid, pressure: Array, y: Array) -> Array:
+def _sink(problem: PatchProblem, grid: Grid, pressure: Array, y: Array) -> Array:
     """Return the displacement of the points at depth, shape (places,)."""
     if not problem.influence.references:
         return np.zeros(y.size)

@@ -48,7 +48,7 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     >>> round(memory((512, 1024)) / 2**20)  # MiB
     60
     """
-    nx, ny = checked_cells(cells)
+    nx, ny = check_cells(cells)
     if contact is not None:
         refuse_no_bodies(contact)
     spectra = DOUBLE * (fast_half(nx) + 1) * (fast_half(ny) + 1)
@@ -65,7 +65,7 @@ def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     return int(spectra + ends + max(FIELDS * fields + depth, FEW * fields + MAKING * depth))
 
 
-def checked_cells(cells: tuple[int, int]) -> tuple[int, int]:
+def check_cells(cells: tuple[int, int]) -> tuple[int, int]:
     """Return numbers of cells, or refuse them."""
     remedy = "give two whole numbers, such as (128, 512)"
     if not isinstance(cells, (tuple, list)) or len(cells) != 2:

@@ -126,7 +126,7 @@ class Search:
         return float(away[int(np.argmax(across - lowest.value > pressed))])
 
     def _lowest(self, windows: Iterable[Window]) -> Lowest:
-        return nearness.lowest(self.problem.gap, self.tilt, windows)
+        return nearness.find_lowest(self.problem.gap, self.tilt, windows)
 
     def refuse_apart(self, windows: tuple[Window, ...]) -> Lowest:
         """Return the place where the bodies are closest, after refusing an approach at which nothing touches.
@@ -139,7 +139,11 @@ class Search:
         needed, approach = lowest.value, self.prescribed.approach
         if self.prescribed.moment is not None:
             # Tilting can produce any nonzero moment, but zero moment needs an approach at which no tilt separates them.
-            needed = -math.inf if self.prescribed.moment != 0.0 else nearness.least_held(self.problem.gap, windows[0])
+            needed = (
+                -math.inf
+                if self.prescribed.moment != 0.0
+                else nearness.least_closing_approach(self.problem.gap, windows[0])
+            )
         needed = round(needed, DIGITS) + 0.0 if math.isfinite(needed) else needed
         if approach is not None and approach <= needed:
             condition = f"exceed {mm(needed):.6g}, where the bodies begin to touch"
@@ -178,7 +182,7 @@ class Search:
                 self._refuse_huge(outcome)
                 grid = grid.widened(cut, ENLARGEMENT)
                 continue
-            overlap = nearness.overlap(self.problem, outcome, self.windows(grid), smooth=self.own_gap)
+            overlap = nearness.find_overlap(self.problem, outcome, self.windows(grid), smooth=self.own_gap)
             if overlap is not None:
                 grid, enlarged = grid.joined(overlap.x_span, overlap.y_span), True
                 continue

@@ -22,7 +22,7 @@ from nonhertz.patch.resources import memory
 from nonhertz.result import brief
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import corner_ends, ends_in_words, singular_ends
-from nonhertz.result.read_only import read_only
+from nonhertz.result.read_only import freeze
 from nonhertz.result.solution import Solved
 from nonhertz.result.status import ErrorEstimate, Status
 
@@ -109,7 +109,7 @@ class PatchSolution(Solved):
     @cached_property
     def footprint(self) -> Mask:
         """Which cells touch, shape (nx, ny)."""
-        return read_only(self.pressure > 0.0)
+        return freeze(self.pressure > 0.0)
 
     @property
     def contact_area(self) -> float:
@@ -132,7 +132,7 @@ class PatchSolution(Solved):
     @cached_property
     def edges(self) -> Array:
         """Edges of the rows of cells along the contact [mm], ascending, shape (ny + 1,)."""
-        return read_only(np.append(self.y - 0.5 * self.dy, self.y[-1] + 0.5 * self.dy))
+        return freeze(np.append(self.y - 0.5 * self.dy, self.y[-1] + 0.5 * self.dy))
 
     @property
     def contact_y(self) -> tuple[tuple[float, float], ...]:
@@ -166,7 +166,7 @@ class PatchSolution(Solved):
     @cached_property
     def largest_across(self) -> Array:
         """Largest pressure across the contact [MPa] at every ``y``."""
-        return read_only(self.pressure.max(axis=0))
+        return freeze(self.pressure.max(axis=0))
 
     @cached_property
     def extent_across(self) -> tuple[Array, Array]:
@@ -174,7 +174,7 @@ class PatchSolution(Solved):
         touching = self.footprint.any(axis=0)
         first, last = self.x[self.footprint.argmax(axis=0)], self.x[::-1][self.footprint[::-1].argmax(axis=0)]
         middle, half = 0.5 * (first + last), 0.5 * (last - first + self.dx)
-        return read_only(np.where(touching, middle, 0.0)), read_only(np.where(touching, half, 0.0))
+        return freeze(np.where(touching, middle, 0.0)), freeze(np.where(touching, half, 0.0))
 
     @property
     def symmetric_across(self) -> bool:
@@ -184,7 +184,7 @@ class PatchSolution(Solved):
     @cached_property
     def line_load(self) -> Array:
         """Load per unit length q [N/mm] at every ``y``."""
-        return read_only(self.pressure.sum(axis=0) * self.dx)
+        return freeze(self.pressure.sum(axis=0) * self.dx)
 
     @cached_property
     def half_width(self) -> Array:
@@ -196,15 +196,15 @@ class PatchSolution(Solved):
         within a sixth of a cell on Hertz's ellipse. Where the square does not fall from cell to cell, or there are
         fewer than three, whole cells are counted.
         """
-        return read_only(half_widths(self.pressure, self.dx))
+        return freeze(half_widths(self.pressure, self.dx))
 
     @cached_property
     def centre_pressure(self) -> Array:
         """Pressure on the line x = 0 [MPa] at every ``y``: a cubic through the four nearest cells."""
         if not self.x[0] <= 0.0 <= self.x[-1]:
-            return read_only(np.zeros(self.y.size))
+            return freeze(np.zeros(self.y.size))
         middle = interpolation(-self.x[:1] / self.dx, self.x.size, 4)
-        return read_only(np.maximum((middle @ self.pressure)[0], 0.0))
+        return freeze(np.maximum((middle @ self.pressure)[0], 0.0))
 
     def across(self, y: float) -> tuple[Array, Array]:
         """Return positions x [mm] and the pressures there [MPa] at a station y, linear between rows of cells.
@@ -220,4 +220,4 @@ class PatchSolution(Solved):
             condition = f"lie between {mm(low, high, between=' and '):g}"
             raise InputError("y", y, condition, "choose a station within the region")
         place = np.clip([(y - self.y[0]) / self.dy], 0.0, self.y.size - 1.0)
-        return self.x, read_only(self.pressure @ interpolation(place, self.y.size, 2).toarray()[0])
+        return self.x, freeze(self.pressure @ interpolation(place, self.y.size, 2).toarray()[0])

@@ -18,8 +18,8 @@ from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
 from nonhertz.model.profile.base import at_ends
 from nonhertz.patch import nearness
-from nonhertz.patch.between import between
-from nonhertz.patch.cascade import Outcome, PatchProblem, halved, solve_on
+from nonhertz.patch.between import find_unseen_overlap
+from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on, solve_on_half
 from nonhertz.patch.grid import Grid, Span, widest_run
 from nonhertz.patch.limits import (
     error_estimate,
@@ -30,11 +30,11 @@ from nonhertz.patch.limits import (
     unresolved,
 )
 from nonhertz.patch.nearness import Overlap, Window
-from nonhertz.patch.resources import checked_cells, refuse_excess
+from nonhertz.patch.resources import check_cells, refuse_excess
 from nonhertz.patch.search import Search
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Feature, Surface, refuse_no_bodies
-from nonhertz.patch.verdict import complaint
+from nonhertz.patch.verdict import find_complaint
 from nonhertz.result.checks import LEAST_OF_ALL, refuse_thin_bodies
 from nonhertz.result.status import ErrorEstimate, Status
 
@@ -132,9 +132,9 @@ def solve(
     refuse_no_bodies(contact)
     prescription = Prescription(approach=approach, load=load, tilt=tilt, moment=moment)
     prescription.refuse_outside(contact)
-    cells = checked_cells(CELLS if cells is None else cells)
+    cells = check_cells(CELLS if cells is None else cells)
     _residual("tolerance", tolerance, "give the largest residual, such as 1e-8")
-    spans = None if region is None else _checked_region(contact, region)
+    spans = None if region is None else _check_region(contact, region)
     refuse_excess(cells, contact)
     surface = Surface.checked(contact, gap, features)
     problem = PatchProblem(surface, prescription)
@@ -144,19 +144,22 @@ def solve(
             outcome, overlap = search.found(cells, tolerance, pool)
         else:
             outcome, overlap = _in_region(search, Grid(*spans, cells, contact.interval), tolerance, pool)
-        levels = halved(problem, outcome, tolerance, pool)
+        levels = solve_on_half(problem, outcome, tolerance, pool)
     solution = _solution(problem, contact, outcome)
     half_width = 0.5 * solution.dx * widest_run(solution.footprint)
     refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL, prescription.pressed)
-    broken = complaint(solution, surface, prescription, tolerance)
+    broken = find_complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(_failed(solution, broken, tolerance), solution)
+        raise ConvergenceError(_failed_words(solution, broken, tolerance), solution)
     if not solution.footprint.any():
         condition = "put the centre of a cell inside the contact"
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
     if broken:
-        raise ConvergenceError(_withheld(broken), replace(solution, status=Status.REFUTED))
-    unseen, largest = between(solution, surface), outcome.largest_displacement(surface(*outcome.grid.centres))
+        raise ConvergenceError(_withheld_words(broken), replace(solution, status=Status.REFUTED))
+    unseen, largest = (
+        find_unseen_overlap(solution, surface),
+        outcome.largest_displacement(surface(*outcome.grid.centres)),
+    )
     estimate = error_estimate(solution, problem, outcome, levels, unseen, largest)
     solution = replace(solution, error_estimate=estimate)
     findings = (
@@ -179,12 +182,12 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
     # A contact that is cut off continues beyond the region; the warning about the border says so.
     if np.any(grid.cut(outcome.state.pressure > 0.0)):
         return outcome, None
-    return outcome, nearness.overlap(
+    return outcome, nearness.find_overlap(
         search.problem, outcome, search.windows(grid), smooth=search.own_gap, region_given=True
     )
 
 
-def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
+def _failed_words(solution: PatchSolution, broken: str, tolerance: float) -> str:
     """Return the message for a failed solve: how far it came, and likely causes."""
     stiff = "a moment carried by only one or two rows of cells, or a gap that is rough from cell to cell"
     missed = solution.residual > tolerance
@@ -194,7 +197,7 @@ def _failed(solution: PatchSolution, broken: str, tolerance: float) -> str:
     )
 
 
-def _withheld(broken: str) -> str:
+def _withheld_words(broken: str) -> str:
     """Return the message for a solution that failed the final check."""
     return (
         f"The iterations ended, but a separate check of their solution failed, so it is withheld. {broken} Likely "
@@ -230,7 +233,7 @@ def _solution(problem: PatchProblem, contact: Contact, outcome: Outcome) -> Patc
     )
 
 
-def _checked_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, Span]:
+def _check_region(contact: Contact, region: tuple[Span, Span]) -> tuple[Span, Span]:
     ends = numbers("region", region, _REGION_REMEDY)
     if ends.shape != (2, 2):
         raise InputError("region", region, "be two pairs of ends", _REGION_REMEDY)

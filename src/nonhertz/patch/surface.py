@@ -111,7 +111,7 @@ class Surface:
 
     def changes_across(self, x: Array, y: Array) -> bool:
         """Return whether a feature's relief changes with x of shape (nx, 1) at y of shape (1, ny)."""
-        reliefs = (_returned("features", feature, x, y) for feature in self.features)
+        reliefs = (_call_function("features", feature, x, y) for feature in self.features)
         return any(bool(np.any(np.abs(relief - relief[:1]) > ALIKE * np.max(np.abs(relief)))) for relief in reliefs)
 
     def __call__(self, x: Array, y: Array) -> Array:
@@ -127,7 +127,7 @@ class Surface:
         if self.gap is None:
             total += undeformed_gap(self.contact, x, y)
         for name, part in self.parts():
-            total += _returned(name, part, x, y)
+            total += _call_function(name, part, x, y)
         return total
 
 
@@ -146,7 +146,7 @@ def _refuse_uncallable(name: str, part: object) -> None:
         raise InputError(name, part, "be callable with x and y", _CALLABLE) from None
 
 
-def _returned(name: str, function: Feature, x: Array, y: Array) -> Array:
+def _call_function(name: str, function: Feature, x: Array, y: Array) -> Array:
     """Return the values of a user function, refusing anything but a number for every place."""
     answer = function(x, y)
     try:

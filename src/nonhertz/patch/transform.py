@@ -22,7 +22,7 @@ ROWS, COLUMNS = 16, 32  # per block
 PARTS = 8  # work items that the blocks are grouped into
 
 
-def filtered(
+def filter_blocks(
     field: Array,
     size: tuple[int, int],
     product: Callable[[Spectrum, slice], Spectrum],
@@ -62,13 +62,13 @@ def filtered(
     def backward(rows: slice) -> None:
         result[rows] = fft.irfft(spectrum[rows], size[1], axis=1)[:, :ny]
 
-    in_blocks(forward, nx, ROWS, pool)
-    in_blocks(across, spectrum.shape[1], COLUMNS, pool)
-    in_blocks(backward, nx, ROWS, pool)
+    run_in_blocks(forward, nx, ROWS, pool)
+    run_in_blocks(across, spectrum.shape[1], COLUMNS, pool)
+    run_in_blocks(backward, nx, ROWS, pool)
     return result
 
 
-def in_blocks(work: Callable[[slice], None], count: int, block: int, pool: Executor | None) -> None:
+def run_in_blocks(work: Callable[[slice], None], count: int, block: int, pool: Executor | None) -> None:
     """Apply ``work`` to ``count`` lines, a block at a time, in the threads of a pool if there is one."""
     blocks = [slice(start, min(start + block, count)) for start in range(0, count, block)]
 

@@ -35,7 +35,7 @@ ROUNDING, BALANCED = 1e-11, 1e-9
 LAST_DIGITS = 32.0 * float(np.finfo(float).eps)  # of the undeformed gap, which may be far larger than the deformed one
 
 
-def complaint(solution: PatchSolution, gap: Gap, prescription: Prescription, tolerance: float) -> str:
+def find_complaint(solution: PatchSolution, gap: Gap, prescription: Prescription, tolerance: float) -> str:
     """Return a sentence on the first condition that a solution breaks, empty if it meets all of them.
 
     Parameters

@@ -31,8 +31,7 @@ from nonhertz.result.solution import Solution
 from nonhertz.result.status import Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.show.bearing import most_loaded
-from nonhertz.strength import Verdict as StrengthVerdict
-from nonhertz.strength import onset_of_yield
+from nonhertz.strength import CheckStatus, onset_of_yield
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 NO_ERROR = 1e-12  # relative: rounding
@@ -135,12 +134,12 @@ def _of_contact(found: CaseResults) -> Iterator[Assumption]:
         largest = each.largest.von_mises
         told = [check for check in each.checks if check.name in {"yield", "bore", "core"}]
         verdicts = {check.verdict for check in told}
-        known = Verdict.OPEN if StrengthVerdict.UNKNOWN in verdicts else Verdict.HOLDS
+        known = Verdict.OPEN if CheckStatus.UNKNOWN in verdicts else Verdict.HOLDS
         yield Assumption(
             f"Linear elastic below the surface of body {each.body}",
             "von Mises stress below the yield strength",
             f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
-            Verdict.NOT_MET if StrengthVerdict.OVER in verdicts else known,
+            Verdict.NOT_MET if CheckStatus.OVER in verdicts else known,
             " ".join(check.sentence for check in told),
         )
 

@@ -33,7 +33,7 @@ from nonhertz.show.analysis import (
 from nonhertz.show.solving import attempted
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
-from nonhertz.verdict import Verdict, findings_of, of_contact, worst_of
+from nonhertz.verdict import Verdict, collect_findings, judge_contact, worst_verdict
 
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -75,9 +75,9 @@ class CaseResults:
         """Whether it bears its load."""
         if self.complaint:
             return None
-        own = of_contact(self.solution, self.strengths)
+        own = judge_contact(self.solution, self.strengths)
         several = self.lives is not None and len(self.lives.spectrum) > 1
-        return worst_of({"": own, "in the spectrum": self.lives.verdict if several and self.lives else None})
+        return worst_verdict({"": own, "in the spectrum": self.lives.verdict if several and self.lives else None})
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -128,7 +128,7 @@ class BearingResults:
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
         clearance = self.case.operating_clearance
-        found = () if self.solution is None else sentences(findings_of(self.solution, self.life, clearance))
+        found = () if self.solution is None else sentences(collect_findings(self.solution, self.life, clearance))
         return tuple(dict.fromkeys((*self.case.notes, *found)))
 
 

@@ -51,11 +51,11 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
         named = list(ends)
         alike = len(named) == 2 and len({*named}) == 1
         how = f"both ends {named[0]}" if alike else " and ".join(named)
-        text.append(f"contact along y from {shortened(places)}: {how}")
+        text.append(f"contact along y from {shorten(places)}: {how}")
         text += map(str, solution.remarks)
     if solution.warnings:
         more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
-        text.append(f"warning: {shortened(solution.warnings[0])}{more}")
+        text.append(f"warning: {shorten(solution.warnings[0])}{more}")
     return text
 
 
@@ -94,7 +94,7 @@ def where_largest(solution: Solved, significant: int = 5) -> str:
     return f"at y = {places:{significant}}{away}"
 
 
-def shortened(text: str) -> str:
+def shorten(text: str) -> str:
     """Return a text of at most `WIDEST` characters, cut at a word boundary."""
     return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
 
@@ -104,7 +104,7 @@ def plain_text(name: str, items: list[str]) -> str:
     return "\n".join([name, *(f"  {line}" for line in items)])
 
 
-def drawn(name: str, texts: list[str], solution: Solved) -> str:
+def to_html(name: str, texts: list[str], solution: Solved) -> str:
     """Return lines as HTML, below a plot of the pressure along the contact, clipped where it has no limit."""
     y, pressure = solution.y, solution.centre_pressure
     low, span = float(y[0]), float(np.ptp(y)) or 1.0
@@ -144,4 +144,4 @@ def _field(value: Any) -> str:
     if isinstance(value, float):
         return format_digits(value)
     named = getattr(value, "name", None)
-    return shortened(repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value))
+    return shorten(repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value))

@@ -35,7 +35,7 @@ _NODES, _PANELS = 12, 60  # of integrals over powers
 FLARE = 0.006
 
 
-def fitted_strength(
+def fit_strength(
     edges: Array, pressure: Array, freed: tuple[float, float], half_width: float, element: Element
 ) -> tuple[float | None, float | None]:
     """Return K [MPa mm^alpha] and c [mm^-beta] of p = K s^-alpha (1 + c s^beta).

@@ -21,7 +21,7 @@ from nonhertz.amounts import mm
 from nonhertz.findings import Finding, finding
 from nonhertz.native import core
 from nonhertz.result.edges import EdgeKind, EdgePressure
-from nonhertz.result.end_fit import FIT_REACH, fitted_strength
+from nonhertz.result.end_fit import FIT_REACH, fit_strength
 from nonhertz.strip.problem import Problem
 
 Array = NDArray[np.float64]
@@ -60,7 +60,7 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
     return min(sum(end.image_weight for end in near), 1.0), min(sum(end.free for end in near), 1.0)
 
 
-def with_strengths(
+def add_strengths(
     problem: Problem, edges: Array, r: Array, m: Array, ends: tuple[EdgePressure, EdgePressure]
 ) -> tuple[EdgePressure, EdgePressure]:
     """Return the pressures at both ends with their strengths, as far as they are sharp and have one.
@@ -72,13 +72,13 @@ def with_strengths(
     ratio = problem.model.element.hertz_ratio
     pressure = 2.0 * (r * np.sqrt(m)) / (np.pi * ratio * problem.contact.compliance)
     low, high = (
-        _with_strength(problem, end, side, np.abs(edges - end.y)[::-side], pressure[::-side], ratio * math.sqrt(last))
+        _add_strength(problem, end, side, np.abs(edges - end.y)[::-side], pressure[::-side], ratio * math.sqrt(last))
         for end, side, last in zip(ends, (-1, 1), (m[0], m[-1]), strict=True)
     )
     return low, high
 
 
-def _with_strength(
+def _add_strength(
     problem: Problem, edge: EdgePressure, side: int, distance: Array, pressure: Array, half_width: float
 ) -> EdgePressure:
     """Return one with its strength; edges are at these distances from it, outermost first, as pressures are."""
@@ -88,7 +88,7 @@ def _with_strength(
     # The face of the other body a little further out distorts the pressure where K would be fitted.
     if freed != _freed(problem, edge.y, side, FIT_REACH * half_width) or edge.exponent < LEAST_EXPONENT:
         return edge
-    strength, correction = fitted_strength(distance, pressure, freed, half_width, problem.model.element)
+    strength, correction = fit_strength(distance, pressure, freed, half_width, problem.model.element)
     return replace(edge, strength=strength, correction=correction)
 
 

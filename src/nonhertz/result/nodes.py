@@ -72,12 +72,14 @@ def nodal_loads(solution: Solution, x: ArrayLike, y: ArrayLike) -> NodalLoads:
         mesh = Delaunay(np.column_stack([across, along]))
     except (QhullError, ValueError):  # fewer than three nodes, or all on a line
         nothing = np.full(across.shape, np.nan)
-        return NodalLoads(across, along, pressure, nothing, np.zeros(across.shape), float(np.sum(_of_strips(solution))))
+        return NodalLoads(
+            across, along, pressure, nothing, np.zeros(across.shape), float(np.sum(_from_strips(solution)))
+        )
     force, outside = _spread(solution, mesh)
     return NodalLoads(across, along, pressure, force, _areas(mesh), outside)
 
 
-def _of_strips(solution: Solution) -> Array:
+def _from_strips(solution: Solution) -> Array:
     return solution.line_load * solution.strip_width
 
 
@@ -86,7 +88,7 @@ def _spread(solution: Solution, mesh: Delaunay) -> tuple[Array, float]:
     forces, outside = np.zeros(len(mesh.points)), 0.0
     spacing = _spacing(solution, mesh)
     for load, middle, width, half_width in zip(
-        _of_strips(solution), solution.y, solution.strip_width, solution.half_width, strict=True
+        _from_strips(solution), solution.y, solution.strip_width, solution.half_width, strict=True
     ):
         if load > 0.0:
             places, shares = _point_loads(middle, width, half_width, spacing)

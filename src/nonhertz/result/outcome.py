@@ -15,7 +15,7 @@ from nonhertz.findings import Finding
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
-from nonhertz.result.end_pressure import edge_pressures, with_strengths
+from nonhertz.result.end_pressure import add_strengths, edge_pressures
 from nonhertz.result.shortfall import shortfall
 from nonhertz.result.solution import Solution, not_finite
 from nonhertz.result.status import ErrorEstimate, Status
@@ -158,7 +158,7 @@ class Judgement:
         """The pressure at both ends."""
         edges, state = self.result.levels[0]
         with _NONE if self.result.status is core.Status.CONVERGED else np.errstate(all="ignore"):
-            return with_strengths(self.problem, edges, state.r, state.m, self.ends)
+            return add_strengths(self.problem, edges, state.r, state.m, self.ends)
 
     @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:

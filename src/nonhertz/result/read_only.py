@@ -20,7 +20,7 @@ class ReadOnly:
         return brief.fields(self)
 
     def __post_init__(self) -> None:
-        _freeze(vars(self))
+        _freeze_value(vars(self))
 
     def __getstate__(self) -> dict[str, object]:
         # What is worked out from the fields is worked out again.
@@ -28,16 +28,16 @@ class ReadOnly:
 
     def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
-        _freeze(state)
+        _freeze_value(state)
 
 
-def _freeze(values: dict[str, object]) -> None:
+def _freeze_value(values: dict[str, object]) -> None:
     for value in values.values():
         if isinstance(value, np.ndarray):
-            read_only(value)
+            freeze(value)
 
 
-def read_only(array: Values) -> Values:
+def freeze(array: Values) -> Values:
     """Return the array, no longer writeable."""
     array.flags.writeable = False
     return array

@@ -24,7 +24,7 @@ from nonhertz.result.data import library
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.maximum import largest_half_width, largest_pressure, singular_y
 from nonhertz.result.quantities import ALONG
-from nonhertz.result.read_only import ReadOnly, read_only
+from nonhertz.result.read_only import ReadOnly, freeze
 from nonhertz.result.status import ErrorEstimate, Status
 from nonhertz.strip.element import Element
 
@@ -136,7 +136,7 @@ class Solved(HasFindings, ReadOnly, _Derived):
         return brief.plain_text(type(self).__name__, self._said())
 
     def _repr_html_(self) -> str:
-        return brief.drawn(type(self).__name__, self._said(), self)
+        return brief.to_html(type(self).__name__, self._said(), self)
 
     def _said(self) -> list[str]:
         raise NotImplementedError
@@ -295,17 +295,17 @@ class Solution(Solved):
     @cached_property
     def y(self) -> Array:
         """Strip centres [mm], ascending."""
-        return read_only(0.5 * (self.edges[1:] + self.edges[:-1]))
+        return freeze(0.5 * (self.edges[1:] + self.edges[:-1]))
 
     @cached_property
     def strip_width(self) -> Array:
         """Strip widths along y [mm]."""
-        return read_only(np.diff(self.edges))
+        return freeze(np.diff(self.edges))
 
     @cached_property
     def half_width(self) -> Array:
         """Half-width b [mm] at each strip: that of the semi-ellipse, or the Hertz equivalent of a parabola."""
-        return read_only(self.element.hertz_ratio * self.element_half_width)
+        return freeze(self.element.hertz_ratio * self.element_half_width)
 
     @cached_property
     def centre_pressure(self) -> Array:
@@ -313,7 +313,7 @@ class Solution(Solved):
         touching = self.half_width > 0.0
         pressure = np.zeros_like(self.line_load)
         pressure[touching] = 2.0 * self.line_load[touching] / (np.pi * self.half_width[touching])
-        return read_only(pressure)
+        return freeze(pressure)
 
     @property
     def largest_across(self) -> Array:

@@ -12,7 +12,7 @@ from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.show.beside import ABSENT, Cells, beside
 from nonhertz.show.sections import Cell, Said, Section, Table, assumed_rows, summary
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 
 _IDEAL = (
     "1 is the life of the same bodies under Hertz's line pressure, the load spread evenly over the length on which "
@@ -125,7 +125,7 @@ def loads_table(assessment: Assessment) -> Table:
             load,
             tilt,
             pressure,
-            verdict.level.value if (verdict := of_contact(solution)) else "",
+            verdict.level.value if (verdict := judge_contact(solution)) else "",
         )
         for (solution, share), load, tilt, pressure in zip(assessment.spectrum, *columns, strict=True)
     ]

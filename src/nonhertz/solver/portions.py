@@ -19,7 +19,7 @@ from nonhertz.errors import ConvergenceError, Interrupted, NonhertzError
 from nonhertz.findings import Finding
 from nonhertz.native import core
 from nonhertz.result.outcome import has_series, outcome
-from nonhertz.result.read_only import read_only
+from nonhertz.result.read_only import freeze
 from nonhertz.solver.blocks import Block
 from nonhertz.solver.refusals import refusal
 from nonhertz.solver.solutions import Solutions
@@ -59,7 +59,7 @@ class Portion:
     def of(cls, blocks: list[Block], done: int, total: int) -> Portion:
         """Return the cases of some blocks."""
         numbers = np.sort(np.concatenate([block.numbers for block in blocks])).astype(np.intp)
-        return cls(read_only(numbers), done, total, tuple(blocks))
+        return cls(freeze(numbers), done, total, tuple(blocks))
 
     @cached_property
     def solutions(self) -> Solutions:

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
-from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.brief import plain_text, shorten
 from nonhertz.result.data import dataframe, dataset
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.result.read_only import read_only
+from nonhertz.result.read_only import freeze
 from nonhertz.result.solution import Solution
 from nonhertz.solver import files
 from nonhertz.solver.blocks import Block
@@ -83,9 +83,9 @@ class Solutions:
         for block in solved:
             columns[block.numbers] = block.columns
         for name, column in zip(_COLUMNS, columns.T, strict=False):
-            setattr(self, name, read_only(column.reshape(shape).copy()))
-        self.stiffness = read_only(columns[:, STIFFNESS].reshape(*shape, 2, 2))
-        self.singular = read_only(columns[:, SINGULAR].astype(bool).reshape(shape))
+            setattr(self, name, freeze(column.reshape(shape).copy()))
+        self.stiffness = freeze(columns[:, STIFFNESS].reshape(*shape, 2, 2))
+        self.singular = freeze(columns[:, SINGULAR].astype(bool).reshape(shape))
 
     approach: Array
     tilt: Array
@@ -105,7 +105,7 @@ class Solutions:
             lines.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
         if self.failures:
             number, error = next(iter(self.failures.items()))
-            lines.append(f"failed: case {number}: {shortened(str(error))}")
+            lines.append(f"failed: case {number}: {shorten(str(error))}")
         return plain_text("Solutions", lines)
 
     @property

@@ -26,7 +26,7 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.lazy import dir_of
 from nonhertz.life import LoadCase, Model, lundberg_palmgren
-from nonhertz.life.spectrum import checked_cases, refuse_other_than_whole
+from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
@@ -35,7 +35,7 @@ from nonhertz.study.limits import Limit, limits_in
 from nonhertz.study.objective import GOALS, LIFE, PRESSURE, Judged, Task, Variable, point_or_none
 from nonhertz.study.search import Search, searched
 from nonhertz.study.workers import LostError, Workers
-from nonhertz.verdict import Verdict, of_loads, of_rows
+from nonhertz.verdict import Verdict, judge_loads, judge_rows
 
 __all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
 __dir__ = dir_of(__name__)
@@ -201,7 +201,9 @@ class Front(HasFindings):
     @cached_property
     def verdict(self) -> Verdict | None:
         """Whether all points bear their loads: the verdict on the one with the largest pressure."""
-        return of_rows(np.maximum(self.first, self.second), lambda k: _verdict(self.cases[k], self.loads), what="point")
+        return judge_rows(
+            np.maximum(self.first, self.second), lambda k: _verdict(self.cases[k], self.loads), what="point"
+        )
 
 
 def best(
@@ -317,7 +319,7 @@ def front(
         As `best`.
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
-    checked_groups = checked_cases("first", first, LoadCase), checked_cases("second", second, LoadCase)
+    checked_groups = check_cases("first", first, LoadCase), check_cases("second", second, LoadCase)
     groups = [[replace(each, share=1.0 / len(group)) for each in group] for group in checked_groups]
     ends = [
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
@@ -364,7 +366,7 @@ def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
 
 def _verdict(case: Case, loads: Sequence[LoadCase]) -> Verdict | None:
     with without_accuracy_warnings():
-        return of_loads((_solved(case, each), each.share) for each in loads)
+        return judge_loads((_solved(case, each), each.share) for each in loads)
 
 
 def _solved(case: Case, load: LoadCase) -> Solution:
@@ -487,7 +489,7 @@ def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
             remedy = "give loads, each with a tilt"
             raise InputError("case", sorted(given.keywords), "have a load, and no moment, for a design", remedy)
         return (LoadCase(load=given.load, share=1.0, tilt=given.tilt or 0.0),)
-    found = checked_cases("loads", loads, LoadCase)
+    found = check_cases("loads", loads, LoadCase)
     refuse_other_than_whole("loads", found, "give each its share")
     return tuple(found)
 

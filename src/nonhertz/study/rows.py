@@ -28,7 +28,7 @@ from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_without_warnings
 from nonhertz.solver.one import bound_contact, problem_of
 from nonhertz.study.quantities import SolvedContact, chosen, number_of
-from nonhertz.verdict import Verdict, of_contact
+from nonhertz.verdict import Verdict, judge_contact
 
 Values = Mapping[str, Any]
 
@@ -140,7 +140,7 @@ class Work:
             except NonhertzError:
                 return None
             if isinstance(solved, SolvedContact):
-                return of_contact(solved.solution)
+                return judge_contact(solved.solution)
             judged: Verdict | None = solved.case.verdict(solved.solution, solved.life_or_none)
             return judged
 

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.result.brief import shortened
+from nonhertz.result.brief import shorten
 from nonhertz.study.rows import Row
 
 FILE = "rows.sqlite3"
@@ -97,7 +97,7 @@ class Store:
     def _changed(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
         said = []
         for place in places[:3]:
-            was, is_now = (shortened(each.get(place, "not given")) for each in (before, now))
+            was, is_now = (shorten(each.get(place, "not given")) for each in (before, now))
             same_kind = all(_DIGEST.fullmatch(each.get(place, "")) for each in (before, now))
             change = "has other contents" if same_kind else f"was {was}, is {is_now}"
             said.append(f"{place.removesuffix('.digest')} {change}")
@@ -232,7 +232,7 @@ def _intact(directory: Path | None) -> Iterator[None]:
             condition = "be a directory with space for more rows (no space left on device)"
             remedy = "make room and repeat: the rows so far are kept"
         elif not isinstance(error, OSError) and not kind.startswith(_PLACE):
-            condition = f"hold an intact {FILE} (the store is damaged: {shortened(reason)})"
+            condition = f"hold an intact {FILE} (the store is damaged: {shorten(reason)})"
             remedy = f"delete {FILE} to solve all rows anew, or choose another directory"
         raise InputError("--out", str(directory), condition, remedy) from None
 

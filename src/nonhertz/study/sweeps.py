@@ -28,7 +28,7 @@ from nonhertz.files.spreads import Distribution
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import callback, thread_count
-from nonhertz.result.brief import plain_text, shortened
+from nonhertz.result.brief import plain_text, shorten
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.points import Points
@@ -36,7 +36,7 @@ from nonhertz.study.quantities import chosen
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import Store
 from nonhertz.study.workers import LostError, Workers
-from nonhertz.verdict import Verdict, of_rows
+from nonhertz.verdict import Verdict, judge_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -105,7 +105,7 @@ class Sweep:
             ends = self.extremes(quantity.name)
             if ends is not None:
                 said.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
-        said += [f"failed: {times} from row {first}: {shortened(why)}" for why, times, first in self.reasons()]
+        said += [f"failed: {times} from row {first}: {shorten(why)}" for why, times, first in self.reasons()]
         return plain_text("Sweep", said)
 
     @property
@@ -152,7 +152,7 @@ class Sweep:
         varied = [self._store.column(path).tolist() for path in self.paths if ".material" in path]
         warned = self._store.column("warnings") if "warnings" in held else ()
         pressures = self._store.column("max_pressure")
-        return of_rows(pressures, self._verdict_on, list(zip(*varied, strict=True)), warned)
+        return judge_rows(pressures, self._verdict_on, list(zip(*varied, strict=True)), warned)
 
     def _verdict_on(self, row: int) -> Verdict | None:
         if row not in self._verdicts:

@@ -20,7 +20,7 @@ from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, t
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solved
 from nonhertz.subsurface.field import Field
-from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, checked_body, checked_solution
+from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, check_body, check_solution
 
 Array = NDArray[np.float64]
 Announce = Callable[[int, int], object]
@@ -64,7 +64,7 @@ def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
     for name in options:
         if name not in known.__optional_keys__:  # type: ignore[attr-defined]
             raise TypeError(f"{verb}() got an unexpected keyword argument {name!r}")
-    checked_body(options.get("body", "a"))
+    check_body(options.get("body", "a"))
     thread_count(options.get("threads"))
     callback("announce", options.get("announce"))
 
@@ -229,7 +229,7 @@ def axial_plane(
     refuse_options("axial_plane", options, Options)
     finite("x", x, "give one place across the contact in mm")
     y = axial_range(solution, options.get("body", "a")) if y is None else _row("y", y)
-    deepest = DEEPEST * checked_solution(solution).max_half_width
+    deepest = DEEPEST * check_solution(solution).max_half_width
     z = deepest * np.linspace(0.0, 1.0, LEVELS) if z is None else _row("z", z)
     return stress(solution, x, y[:, None], z, **options)
 
@@ -315,7 +315,7 @@ def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
     InputError
         If nothing is in contact.
     """
-    touching = checked_solution(solution).line_load > 0.0
+    touching = check_solution(solution).line_load > 0.0
     along = solution.y[touching]
     middle, half_width = (values[touching] for values in solution.extent_across)
     half_length = 0.5 * np.diff(solution.edges)[touching]
@@ -340,7 +340,7 @@ def one_station(station: float) -> float:
 
 def axial_range(solution: Solved, body: BodyName) -> Array:
     """Return stations [mm] over the contact and the stressed region beyond its ends."""
-    checked_solution(solution)
+    check_solution(solution)
     beyond = WIDEST * float(across_at(solution, solution.y)[1].max())
     touching = solution.y[solution.line_load > 0.0]
     low, high = Inside.of(solution, body).body.faces

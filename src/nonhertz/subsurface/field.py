@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz.findings import Finding, HasFindings
 from nonhertz.model.body import BodyName
-from nonhertz.result.read_only import ReadOnly, read_only
+from nonhertz.result.read_only import ReadOnly, freeze
 
 Array = NDArray[np.float64]
 
@@ -89,22 +89,22 @@ class Field(HasFindings, ReadOnly):
     @cached_property
     def tensor(self) -> Array:
         """The stress as symmetric matrices [MPa], shape (..., 3, 3)."""
-        return read_only(as_tensor(self.stress))
+        return freeze(as_tensor(self.stress))
 
     @cached_property
     def principal(self) -> Array:
         """Principal stresses [MPa], the largest first, shape (..., 3)."""
-        return read_only(principal_of(self.stress))
+        return freeze(principal_of(self.stress))
 
     @cached_property
     def von_mises(self) -> Array:
         """Von Mises equivalent stress [MPa]."""
-        return read_only(np.asarray(von_mises_of(self.stress)))
+        return freeze(np.asarray(von_mises_of(self.stress)))
 
     @cached_property
     def max_shear(self) -> Array:
         """Maximum shear stress, half the difference of the largest and smallest principal stress [MPa]."""
-        return read_only(np.asarray(0.5 * (self.principal[..., 0] - self.principal[..., 2])))
+        return freeze(np.asarray(0.5 * (self.principal[..., 0] - self.principal[..., 2])))
 
 
 def as_tensor(stress: Array) -> Array:

@@ -91,8 +91,8 @@ class Inside:
         InputError
             If ``name`` is neither body, or ``solution`` is not a solution.
         """
-        by_body = _KEPT.setdefault(checked_solution(solution), {})
-        if checked_body(name) in by_body:
+        by_body = _KEPT.setdefault(check_solution(solution), {})
+        if check_body(name) in by_body:
             return by_body[name]
         load: Load
         if by_body:
@@ -187,7 +187,7 @@ class Inside:
         return total
 
 
-def checked_solution(solution: object) -> Solved:
+def check_solution(solution: object) -> Solved:
     """Return a solution with something in contact, or reject anything else.
 
     Raises
@@ -201,7 +201,7 @@ def checked_solution(solution: object) -> Solved:
     return solution
 
 
-def checked_body(name: object) -> BodyName:
+def check_body(name: object) -> BodyName:
     """Return the name of a body, or reject anything but "a" and "b"."""
     if name == "a":
         return "a"

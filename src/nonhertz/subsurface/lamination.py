@@ -144,7 +144,7 @@ class LoadedStrips:
         return 0.5 * float(self.load.sum()) * float(self.high[-1] - self.low[0])
 
 
-def laminated(solution: Solution) -> Lamination:
+def laminate(solution: Solution) -> Lamination:
     """Return the strips of a solution and their pieces, which together carry its load.
 
     Parameters
@@ -163,13 +163,13 @@ def laminated(solution: Solution) -> Lamination:
     strips = LoadedStrips.of(solution)
     with np.errstate(over="ignore", invalid="ignore"):  # the result is checked
         lamination = cut_into_pieces(strips)
-    if bears(lamination, strips):
+    if carries_load(lamination, strips):
         return lamination
     each_one = (strips.low, strips.high, strips.line_load, strips.half_width)
-    return _joined(each_one, each_one, np.arange(strips.low.size + 1))
+    return _join(each_one, each_one, np.arange(strips.low.size + 1))
 
 
-def bears(lamination: Lamination, strips: LoadedStrips) -> bool:
+def carries_load(lamination: Lamination, strips: LoadedStrips) -> bool:
     """Return whether the pieces are valid and carry the load of the strips and, within tolerance, their moment."""
     low, high, line_load, half_width = (
         values[lamination.first[0] :]
@@ -221,12 +221,12 @@ def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> A
 
 def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     """Return the strips and their pieces."""
-    strip, begin, end = _divided(strips)
+    strip, begin, end = _divide(strips)
     load, square = _means(strips, strip, begin, end)
     # How far lines to run-outs are followed: all of them, or less if they add too much load or moment.
     added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
     turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
-    line, followed = _falling(strips.run_out[strip], begin, end), 1.0 / max(1.0, added, turned)
+    line, followed = _fall_to_edge(strips.run_out[strip], begin, end), 1.0 / max(1.0, added, turned)
     on_line = np.isfinite(strips.run_out[strip])
     load, square = (np.where(on_line, followed * line + (1.0 - followed) * values, values) for values in (load, square))
     highest = np.where(on_line, np.inf, np.maximum(strips.pressure_edges.max(axis=0), 1.0)[strip])
@@ -242,16 +242,16 @@ def cut_into_pieces(strips: LoadedStrips) -> Lamination:
         (*ends, whole, strips.half_width),
         (low, high, borne, strips.half_width[strip] * np.sqrt(square)),
     )
-    return _joined(of_strips, of_pieces, first)
+    return _join(of_strips, of_pieces, first)
 
 
-def _joined(of_strips: Columns, of_pieces: Columns, first: Integers) -> Lamination:
+def _join(of_strips: Columns, of_pieces: Columns, first: Integers) -> Lamination:
     """Return strips, then pieces; ``first`` counts only the pieces."""
     low, high, line_load, half_width = (np.concatenate(pair) for pair in zip(of_strips, of_pieces, strict=True))
     return Lamination(low, high, line_load, half_width, first + first.size - 1)
 
 
-def _divided(strips: LoadedStrips) -> tuple[Integers, Array, Array]:
+def _divide(strips: LoadedStrips) -> tuple[Integers, Array, Array]:
     """Return the strip of each piece, and the t at which it begins and ends."""
     edges = np.stack([strips.pressure_edges, strips.load_edges])
     # The curved part is steepest at the edges.
@@ -288,7 +288,7 @@ def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> t
     moment = abs(float(np.sum(strips.load * bends * slope * (strips.high - strips.low)))) / 6.0
     allowed = MOMENT_SHARE * strips.unit_of_moment
     slopes = bends * (allowed / moment if moment > allowed else 1.0)
-    along, curved = 0.5 * (begin + end), _curved(begin, end)
+    along, curved = 0.5 * (begin + end), _curve_loads(begin, end)
     load = (slopes * slope)[strip] * along + (bends * bend)[strip] * curved
     square = (slopes * square_slope)[strip] * along + (bends * square_bend)[strip] * curved
     within = np.abs(along) <= 1.0
@@ -299,7 +299,7 @@ def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> t
     return load, square
 
 
-def _curved(begin: Array, end: Array) -> Array:
+def _curve_loads(begin: Array, end: Array) -> Array:
     """Return the means over pieces of t^2 (5 t^2 - 3) / 2, but zero for the middle piece.
 
     The mean of the middle piece is spread over the others: the sum is still zero, and the pressure at the centre is
@@ -312,7 +312,7 @@ def _curved(begin: Array, end: Array) -> Array:
     return np.where(middle, 0.0, mean + of_middle / np.maximum(count - 1.0, 1.0))
 
 
-def _falling(run_out: Array, begin: Array, end: Array) -> Array:
+def _fall_to_edge(run_out: Array, begin: Array, end: Array) -> Array:
     """Return the means over pieces of lines from 1 at the centre to 0 at the run-out."""
     first = np.where(run_out < 0.0, np.maximum(begin, run_out), begin)
     last = np.where(run_out > 0.0, np.minimum(end, run_out), end)

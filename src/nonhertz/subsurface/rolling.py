@@ -34,7 +34,7 @@ from nonhertz.subsurface.field import (
     orthogonal_shear_of,
     von_mises_of,
 )
-from nonhertz.subsurface.inside import Inside, checked_solution
+from nonhertz.subsurface.inside import Inside, check_solution
 
 Array = NDArray[np.float64]
 
@@ -135,7 +135,7 @@ def _passage(
     solution: Solved, y: ArrayLike, z: ArrayLike, options: Within, *, turning: bool, sampled: bool = False
 ) -> Passage:
     """Return the largest stresses along straight lines, or along circles about the axis."""
-    checked_solution(solution)
+    check_solution(solution)
     along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
     inside = Inside.of(solution, options.get("body", "a"))
     inside.refuse_outside(np.zeros(along.shape), along, below)
@@ -149,14 +149,16 @@ def _passage(
             if of.size:
                 places = along.flat[of], below.flat[of]
                 refinements = 0 if sampled else REFINEMENTS
-                results[:, of] = _over(solution, inside, *places, options.get("threads"), turning, every, refinements)
+                results[:, of] = _largest_over_pass(
+                    solution, inside, *places, options.get("threads"), turning, every, refinements
+                )
         if announce is not None:
             announce(min(start + at_once, along.size), along.size)
     largest = [values.reshape(along.shape) for values in results]
     return Passage(inside.name, along, below, *largest)
 
 
-def _over(
+def _largest_over_pass(
     solution: Solved,
     inside: Inside,
     y: Array,
@@ -191,7 +193,7 @@ def _over(
         curved = 1.0 - (WIDER * wide / apart) ** 2 / (1.0 + (below / (FLAT * wide)) ** 4)
         angle = x / radius
         path = np.broadcast_arrays(radius * np.sin(angle), along, below + curved * radius * (1.0 - np.cos(angle)))
-        return _turned(field_at(inside, path, threads=threads).stress, curved * angle)
+        return _turn_stresses(field_at(inside, path, threads=threads).stress, curved * angle)
 
     sampled = at(x)
     if not solution.symmetric_across:
@@ -204,7 +206,7 @@ def _over(
     return np.stack([*values, *places, reach])
 
 
-def _turned(stresses: Array, angle: Array) -> Array:
+def _turn_stresses(stresses: Array, angle: Array) -> Array:
     """Return stresses in the directions of the arc, of y and of the depth, at an angle from the line of contact."""
     cosine, sine = np.cos(angle), np.sin(angle)
     x, z, yz, xz, xy = (stresses[..., component] for component in (SIGMA_X, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY))

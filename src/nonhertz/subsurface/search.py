@@ -23,7 +23,7 @@ from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.solution import Solved
 from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
-from nonhertz.subsurface.inside import Inside, checked_solution
+from nonhertz.subsurface.inside import Inside, check_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage, sampled_passage
 
 Array = NDArray[np.float64]
@@ -142,8 +142,8 @@ def extremes(
     0.562
     """
     refuse_options("extremes", options, Within)
-    checked_solution(solution)
-    depths = _checked_depths(depths)
+    check_solution(solution)
+    depths = _check_depths(depths)
     inside = Inside.of(solution, options.get("body", "a"))
     if station is not None:
         sections = np.array([one_station(station) + 0.0])
@@ -155,7 +155,7 @@ def extremes(
                 raise
             raise error.about("station", station) from None
     else:
-        stretches = _stretches(solution, _searched(solution, inside))
+        stretches = _stretches(solution, _search_range(solution, inside))
         sections = _sections(solution, stretches)
     below = across_at(solution, sections)[1][:, None] * DEPTHS
     if station is not None:  # outside the contact the stress comes from further away and peaks further down
@@ -237,7 +237,7 @@ def _at_bore(inside: Inside, station: float | None, depths: Span) -> dict[str, E
     return largest
 
 
-def _checked_depths(depths: Span) -> Span:
+def _check_depths(depths: Span) -> Span:
     remedy = "give the least and the largest depth in mm, the latter may be infinite"
     pair = check_list("depths", depths, "be a pair of depths", remedy)
     if len(pair) != 2:
@@ -250,7 +250,7 @@ def _checked_depths(depths: Span) -> Span:
     return float(pair[0]), float(pair[1])
 
 
-def _searched(solution: Solved, inside: Inside) -> Span:
+def _search_range(solution: Solved, inside: Inside) -> Span:
     """Return the contact, and with it the free side faces of a body within a half-width."""
     low, high = outermost(solution)
     for face in inside.faces:
@@ -286,7 +286,7 @@ def clear_of_ends(solution: Solved) -> bool:
 
 def _sections(solution: Solved, stretches: list[Span]) -> Array:
     """Return the stations to search: strips and their edges, or rows, and the ends of the search."""
-    searched = _within(solution.y, stretches)
+    searched = _lies_within(solution.y, stretches)
     rows = np.flatnonzero((solution.line_load > 0.0) & searched)
     most = MOST_ROWS if isinstance(solution, PatchSolution) else MOST_STATIONS
     if rows.size > most:
@@ -297,11 +297,11 @@ def _sections(solution: Solved, stretches: list[Span]) -> Array:
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
         rows = np.unique(np.concatenate([even, highest]))
     between = solution.edges if rows.size < FEW else np.empty(0)
-    between = between[_within(between, stretches)]
+    between = between[_lies_within(between, stretches)]
     return np.unique(np.concatenate([np.ravel(stretches), solution.y[rows], between]))
 
 
-def _within(y: Array, stretches: list[Span]) -> NDArray[np.bool_]:
+def _lies_within(y: Array, stretches: list[Span]) -> NDArray[np.bool_]:
     within: NDArray[np.bool_] = np.any([(y > low) & (y < high) for low, high in stretches], axis=0)
     return within
 

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from nonhertz.native import core
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface.free_faces import Spectrum
-from nonhertz.subsurface.lamination import Lamination, laminated
+from nonhertz.subsurface.lamination import Lamination, laminate
 from nonhertz.subsurface.tails import Load
 
 Array = NDArray[np.float64]
@@ -52,7 +52,7 @@ class StripLoad(Load):
     @classmethod
     def of(cls, solution: Solution) -> StripLoad:
         """Return the load of a solution."""
-        return cls(laminated(solution))
+        return cls(laminate(solution))
 
     @cached_property
     def in_core(self) -> core.SurfaceLoad:

@@ -18,7 +18,7 @@ from scipy.sparse.linalg import splu
 from scipy.special import j1
 
 import nonhertz as nh
-from nonhertz.subsurface.lamination import laminated
+from nonhertz.subsurface.lamination import laminate
 
 DATA = Path(__file__).with_name("free-faces.json")
 DEGREE = 6
@@ -184,7 +184,7 @@ def graded(through: list[float], end: float, longest: float) -> np.ndarray:
 
 def reference(solution: nh.Solution) -> np.ndarray:
     """Return the stress at `places`, shape (places, 6)."""
-    pieces, body = laminated(solution), solution.contact.a
+    pieces, body = laminate(solution), solution.contact.a
     own = slice(pieces.first[0], None)
     face, length, b = body.faces[1], body.length, solution.max_half_width
     low, high = face - pieces.high[own], face - pieces.low[own]

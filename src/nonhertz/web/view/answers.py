@@ -19,7 +19,7 @@ from nonhertz.model.body import Body
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.show.summary import summary_rows
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 from nonhertz.web.view.replies import verdict_seen
 from nonhertz.web.view.tiles import contact_tiles
 
@@ -54,7 +54,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         # All digits but those of rounding alone.
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()},
         # Where the pressure does not decide, the search when the slider rests does: it takes seconds.
-        "verdict": verdict_seen(None if complaint else of_contact(solution, search=False)),
+        "verdict": verdict_seen(None if complaint else judge_contact(solution, search=False)),
         "summary": summary_rows(solution, case),
         "warnings": solution.warnings,
         "figures": {

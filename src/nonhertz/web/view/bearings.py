@@ -19,7 +19,7 @@ from nonhertz.files.results import plain
 from nonhertz.findings import sentences
 from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
 from nonhertz.show.sections import Table, rows_of_summaries
-from nonhertz.verdict import findings_of
+from nonhertz.verdict import collect_findings
 from nonhertz.web.view.answers import relief_of
 from nonhertz.web.view.replies import verdict_seen
 from nonhertz.web.view.tiles import bearing_tiles
@@ -72,7 +72,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,
         "rollers": rollers.rows,
-        "warnings": sentences(findings_of(solution, life, case.operating_clearance)),
+        "warnings": sentences(collect_findings(solution, life, case.operating_clearance)),
     } | roller_answer(case, solution, roller)
 
 

@@ -17,7 +17,7 @@ from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
-from nonhertz.verdict import of_contact
+from nonhertz.verdict import judge_contact
 from nonhertz.web.view.replies import verdict_seen
 from nonhertz.web.view.tiles import stress_tile
 
@@ -87,7 +87,7 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
     shown = stress_tile(body, worst, searched=True)
-    verdict = verdict_seen(of_contact(solution, (found,)))
+    verdict = verdict_seen(judge_contact(solution, (found,)))
     return {"checks": checks, "stress": shown, "planes": planes, "verdict": verdict}
 
 
