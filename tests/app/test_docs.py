@@ -182,7 +182,7 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "files.casefile",
         "files.force_tables",
         "files.bearingfile",
-        "files.held",
+        "files.document",
         "life",
         "maps",
         "measured",
