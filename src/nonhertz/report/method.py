@@ -213,7 +213,9 @@ def _of_operation(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
 
 def _sources_of_films(films: Films | None) -> list[str]:
     """Return the publications behind films of lines and of ellipses, as far as there are any."""
-    ellipses = [] if films is None else films.elliptic[films.solution.load > 0.0]
+    if films is None:
+        return []
+    ellipses = films.elliptic[films.solution.load > 0.0]
     return [*(() if np.all(ellipses) else _LINE_FILMS), *(_ELLIPSE_FILMS if np.any(ellipses) else ())]
 
 
