@@ -51,8 +51,8 @@ def panel(figure, position, load, title):
     y = np.linspace(-9.9, 9.9, 400)
     values = {name: np.interp(y, each.y, each.centre_pressure) for name, each in lines.items()}
     axes = study_lines(y, values, figure.add_subplot(1, 2, position), x_label="y [mm]", y_label="Pressure [MPa]")
-    axes.set_yscale("linear")
-    axes.set(ylim=(0, 2500), title=title)
+    axes.set(ylim=(0, 2500), yscale="linear")
+    axes.set_title(title, pad=20)
 
 
 with sheet_style():

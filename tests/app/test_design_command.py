@@ -38,7 +38,7 @@ def test_a_plan_is_designed(folder, run):
     assert best.startswith("largest pressure")
     assert "searches that agree" in out
     names = {path.name for path in (folder / "plan-design").iterdir()}
-    assert names == {"case.toml", "profile.csv", "design.json", "design.svg", "design.png"}
+    assert names == {"case.toml", "profile.csv", "design.json", "design.svg", "design.png", "design.csv"}
     found = json.loads((folder / "plan-design" / "design.json").read_text(encoding="utf-8"))
     jsonschema.validate(found, schema_of("design"))
     assert found["value"] < found["before"]

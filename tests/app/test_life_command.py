@@ -230,7 +230,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
     life = coarse.relative_life(nonhertz.life.zaretsky(), dents=10)
     sentence = f"10 dents in the raceway of body b leave this part of its life: {format_digits(life, 4)} (zaretsky)."
     assert sentence in capsys.readouterr().out
-    assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png"}
+    assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png", "life-dent.csv"}
     (of_zaretsky, of_laminae) = json.loads(Path("out/life.json").read_text(encoding="utf-8"))["models"]
     assert of_zaretsky["with_dents"] == pytest.approx(life, rel=1e-12)
     assert "with_dents" not in of_laminae

@@ -35,7 +35,7 @@ def test_a_case_is_swept_from_the_command_line(folder, run):
     assert re.search(r"load\.load  5 to 20 kN +4 values", out)
     assert "maximum pressure" in out
     names = {path.name for path in (folder / "roller-sweep").iterdir()}
-    assert names == {"rows.sqlite3", "rows.csv", "rows.parquet", "sweep.svg", "sweep.png"}
+    assert names == {"rows.sqlite3", "rows.csv", "rows.parquet", "sweep.svg", "sweep.png", "sweep.csv"}
 
 
 def test_a_plan_is_checked_and_swept(folder, run):

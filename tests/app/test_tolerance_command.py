@@ -40,7 +40,7 @@ def test_a_plan_is_studied(folder, capsys, run):
     assert "load.load" in out
     assert "operating load" in out
     names = {path.name for path in (folder / "plan-tolerance").iterdir()}
-    drawn = {f"{name}.{kind}" for name in ("distribution", "indices", "profiles") for kind in ("svg", "png")}
+    drawn = {f"{name}.{kind}" for name in ("distribution", "indices", "profiles") for kind in ("svg", "png", "csv")}
     assert names == drawn | {"rows.sqlite3", "rows.csv", "rows.parquet", "tolerance.json"}
     kept = json.loads((folder / "plan-tolerance" / "tolerance.json").read_text(encoding="utf-8"))
     assert kept["independent_samples"] == 40

@@ -242,7 +242,8 @@ def test_the_figure_has_the_numbers_of_all_methods(found, name):
             load = np.interp(station.y, solution.y, solution.line_load)
             assert np.trapezoid(shape.y, shape.x) == pytest.approx(load, rel=2e-3)
     head, *rows = csv.reader(io.StringIO(figure.to_csv()))
-    assert head == ["panel", "line", "y [mm] or x [mm]", "value", "unit"]
+    assert head == ["panel", "line", "over", "place", "value", "unit"]
+    assert {row[2] for row in rows} == {"y [mm]", "x [mm]"}
     assert {row[0] for row in rows} == {"pressure", "difference", "across A", "across B", "across C"}
     assert {row[1] for row in rows} == {mark.name for mark in along.marks if mark.name}
     assert "at most" in figure.description

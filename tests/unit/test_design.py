@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.figures.value import Line
 from nonhertz.files.free_forms import FreeForm, parse_free_form
+from nonhertz.plot.drawer import sheet_of
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.study.design import begins_of, best, checked, front
+from nonhertz.study.figures import design_figures, front_figures
 from nonhertz.study.limits import limits_in
 from nonhertz.study.objective import Variable
-from nonhertz.study.pictures import design_figures, front_figure
 from nonhertz.study.search import _Searching
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
@@ -103,10 +105,18 @@ def test_the_longest_life_is_longer_than_that_of_neighbours():
     here = task.at(np.array([x])).damage
     assert all(task.at(np.array([x + step])).damage > here for step in (-0.05, 0.05))
     assert "% of the damage" in found.worst
-    pressure, *_, convergence = design_figures(found)["design"].axes
-    assert pressure.get_ylim()[0] == 0.0
-    assert [line.get_ydata()[-1] for line in convergence.get_lines()[:2]] == [start.value for start in found.starts]
-    assert [text.get_text() for text in convergence.get_legend().get_texts()] == ["start 1", "start 2"]
+    figure = design_figures(found)["design"]
+    upright, tilted, profiles, searches = figure.panels
+    assert [panel.heading for panel in (upright, tilted)] == ["20 kN without tilt", "20 kN at 0.7 mrad"]
+    lines = {mark.name: mark for mark in tilted.marks if isinstance(mark, Line)}
+    solution = nh.solve(found.case.contact, load=20e3, tilt=0.7e-3, strips=41)
+    assert np.interp(solution.y, lines["designed"].x, lines["designed"].y) == pytest.approx(solution.centre_pressure)
+    assert [mark.y.tolist() for mark in profiles.marks] == [relief.tolist() for relief in found.relief[1:]]
+    assert {mark.name: mark.y[-1] for mark in searches.marks} == {
+        f"start {number}": start.value for number, start in enumerate(found.starts, start=1)
+    }
+    axes, *_ = sheet_of(figure).axes
+    assert axes.get_ylim()[0] == 0.0
 
 
 @pytest.mark.slow
@@ -181,10 +191,12 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
 def test_points_of_a_front_at_an_end_of_a_range_are_warned_of():
     case, vary = replace(CASE, solver={"strips": 11}), {"body.a.profile.radius": (1500.0, 2000.0)}
     found = front(case, first=LOADS[:1], second=LOADS[1:], vary=vary, points=3, starts=1, workers=1)
-    (axes,) = front_figure(found, ("upright", "tilted")).axes
-    (line,) = axes.get_lines()
-    np.testing.assert_allclose(np.column_stack(line.get_data()), np.column_stack([found.first, found.second]))
-    assert axes.get_xlabel().startswith("Largest pressure, upright")
+    figure = front_figures(found, ("upright", "tilted"))["front"]
+    (line,) = figure.panels[0].marks
+    assert (line.x.tolist(), line.y.tolist()) == (list(found.first), list(found.second))
+    assert figure.to_csv().splitlines()[0] == "panel,line,upright [MPa],value,unit"
+    (axes,) = sheet_of(figure).axes
+    assert axes.get_xlabel() == "Largest pressure, upright [MPa]"
     every = f"at {len(found.first)} of {len(found.first)} points"
     said = f"The best body.a.profile.radius is the highest of its range, 1500 to 2000 mm, {every}: "
     assert [each.startswith(said) for each in found.warnings] == [True]

@@ -1,6 +1,5 @@
 """Drawings of a solution: what is drawn is what the solution says, and files come out the same every time."""
 
-import itertools
 from dataclasses import replace
 from functools import cache
 from xml.etree import ElementTree
@@ -17,8 +16,7 @@ import nonhertz as nh
 from nonhertz import plot
 from nonhertz.amounts import format_digits
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.plot.studies import histogram
-from nonhertz.plot.style import INK, SIZE, sheet_style
+from nonhertz.plot.style import INK, SIZE
 from nonhertz.result.along import contact_lines
 from nonhertz.result.area import element_peak
 from nonhertz.result.outcome import Judgement
@@ -253,26 +251,3 @@ def test_strips_are_a_dataframe():
     frame = solution.to_dataframe()
     assert list(frame.columns) == list(frame.attrs["units"]) == list(solution.table())
     assert (frame["line_load"] * frame["strip_width"]).sum() == pytest.approx(solution.load)
-
-
-def test_words_above_a_histogram_do_not_overlap():
-    values = 2000.0 + 200.0 * np.random.default_rng(1).lognormal(0.0, 1.0, 600)
-    with sheet_style():
-        figure = Figure(figsize=(3.3, 2.3), layout="constrained")
-        ax = figure.add_subplot()
-        near = {0.01: (2018.0, 2024.0), 0.5: (2190.0, 2210.0), 0.99: (3500.0, 5000.0)}
-        histogram(values, ax, label="x", quantiles=near, limits=[2300.0])
-        figure.draw_without_rendering()
-    boxes = [text.get_window_extent() for text in ax.texts]
-    assert len(boxes) == 5  # with that on samples far away
-    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-    assert sum(box.y0 >= ax.get_window_extent().y1 for box in boxes) == 4
-    far = int(ax.texts[0].get_text().split()[0])
-    assert ax.texts[0].get_text().endswith(f" to {values.max():.6g}")
-    assert far + sum(bar.get_height() for bar in ax.patches if bar.get_facecolor()[3] == 1.0) == 600
-
-
-def test_numbers_of_several_decades_are_on_a_logarithmic_axis():
-    assert histogram([1.0, 2.0, 11.0], label="x").get_xscale() == "log"
-    assert histogram([1.0, 2.0, 9.0], label="x").get_xscale() == "linear"
-    assert histogram([-1.0, 2.0, 11.0], label="x").get_xscale() == "linear"

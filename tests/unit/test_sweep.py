@@ -14,11 +14,13 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.amounts import display_units, mm
+from nonhertz.figures.value import Bars, Contours, Line
 from nonhertz.files.planfile import Plan
+from nonhertz.plot.drawer import sheet_of
 from nonhertz.show.sections import Table
 from nonhertz.show.studies import sweep_sections
 from nonhertz.study import Sampling, Sweep
-from nonhertz.study.pictures import scaled, sweep_figures
+from nonhertz.study.figures import axis_over, sweep_figures
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import FILE, Store
 from nonhertz.study.workers import LostError, Workers
@@ -285,7 +287,10 @@ def test_a_bearing_is_swept_too():
 )
 def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines):
     found = nh.sweep(replace(CASE, solver={"strips": 11}), over=over, quantities=("load_by_approach",), workers=1)
-    (axes,) = sweep_figures(found)["sweep"].axes
+    figure = sweep_figures(found)["sweep"]
+    numbers = np.concatenate([mark.y for mark in figure.panels[0].marks if isinstance(mark, Line)])
+    assert sorted(numbers) == sorted(found["load_by_approach"].ravel())
+    (axes,) = sheet_of(figure).axes
     assert (axes.get_xlabel(), axes.get_ylabel()) == (below, "d load / d approach [N/µm]")
     legend = axes.get_legend()
     assert lines == ([text.get_text() for text in legend.get_texts()] if legend else len(axes.lines))
@@ -294,18 +299,39 @@ def test_a_picture_has_a_line_for_each_of_few_values_or_words(over, below, lines
 def test_samples_are_drawn_as_a_histogram_where_nothing_else_varies():
     over = {"load.load": "normal(20 kN, 1 kN)"}
     found = nh.sweep(CASE, over=over, samples=Sampling(20), quantities=("approach",), workers=1)
-    assert sweep_figures(found)["sweep"].axes[0].patches
+    (panel,) = sweep_figures(found)["sweep"].panels
+    (bars,) = (mark for mark in panel.marks if isinstance(mark, Bars))
+    assert bars.y.sum() == 20
+
+
+def test_many_values_of_two_paths_are_a_map_with_its_numbers_as_csv():
+    over = {"load.load": "5 kN : 20 kN : 8", "load.tilt": "0 : 0.4 mrad : 7"}
+    found = nh.sweep(replace(CASE, solver={"strips": 11}), over=over, quantities=("max_pressure",), workers=1)
+    figure = sweep_figures(found)["sweep"]
+    (contours,) = figure.panels[0].marks
+    assert isinstance(contours, Contours)
+    np.testing.assert_array_equal(contours.values, found["max_pressure"])
+    head, first, *_ = figure.to_csv().splitlines()
+    assert head == "panel,line,load.load [N],load.tilt [rad],value,unit"
+    assert first == f"max_pressure,max_pressure,5000.0,0.0,{found['max_pressure'][0, 0]},MPa"
+    axes, bar = sheet_of(figure).axes
+    assert (axes.get_xlabel(), axes.get_ylabel(), bar.get_ylabel()) == (
+        "Load [kN]", "Tilt [mrad]", "Maximum pressure [MPa]"
+    )  # fmt: skip
+    assert axes.texts
 
 
 def test_small_lengths_are_shown_in_micrometres():
-    assert scaled("drop", "mm", np.array([0.01, 0.02]))[1] == "Drop [µm]"
-    assert scaled("length", "mm", np.array([10.0]))[1] == "Length [mm]"
+    assert axis_over("drop", "mm", np.array([0.01, 0.02]))[0].title() == "Drop [µm]"
+    assert axis_over("length", "mm", np.array([10.0]))[0].title() == "Length [mm]"
 
 
 def test_the_last_of_three_drawings_has_the_whole_width():
     quantities = ("approach", "max_pressure", "max_half_width")
     found = nh.sweep(CASE, over={"load.load": [5e3, 20e3]}, quantities=quantities, workers=1)
-    first, second, last = sweep_figures(found)["sweep"].axes
+    sheet = sheet_of(sweep_figures(found)["sweep"])
+    sheet.draw_without_rendering()
+    first, second, last = sheet.axes
     assert last.get_position().x0 == pytest.approx(first.get_position().x0, abs=0.02)
     assert last.get_position().x1 == pytest.approx(second.get_position().x1, abs=0.02)
 

@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.figures.value import Bars, Span, Whiskers
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
+from nonhertz.plot.drawer import sheet_of
 from nonhertz.show.sections import Table
 from nonhertz.show.studies import tolerance_sections
+from nonhertz.study.figures import tolerance_figures
 from nonhertz.study.limits import Limit, capabilities
-from nonhertz.study.pictures import tolerance_figures
 from nonhertz.study.store import FILE
 from nonhertz.study.tolerances import quantile, sobol_indices
 from nonhertz.verdict import Level
@@ -134,9 +136,26 @@ def test_a_tolerance_study_ranks_what_matters():
     # A load is no tolerance, and the diameter has no share worth tightening; nor is the load a result.
     assert found.tightened_first == {}
     assert [each.name for each in found.results] == ["max_pressure"]
-    bars = tolerance_figures(found)["indices"].axes[0]
-    assert [text.get_text() for text in bars.get_yticklabels()] == ["Load", "Body a, diameter"]
-    assert bars.get_xlim() == (0.0, 1.0)
+    figures = tolerance_figures(found)
+    (bars,) = figures["indices"].panels
+    assert bars.along.categories == ("Load", "Body a, diameter")
+    shares = {mark.name: mark.y.tolist() for mark in bars.marks if isinstance(mark, Bars)}
+    indices = found.indices("max_pressure")
+    assert shares == {"in total": [index.total for index in indices], "alone": [index.first for index in indices]}
+    whiskers = [mark for mark in bars.marks if isinstance(mark, Whiskers)]
+    assert [mark.high.tolist() for mark in whiskers] == [
+        [index.first_high for index in indices], [index.total_high for index in indices]
+    ]  # fmt: skip
+    assert "max_pressure,alone,Load," in figures["indices"].to_csv()
+    (axes,) = sheet_of(figures["indices"]).axes
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["Load", "Body a, diameter"]
+    assert (axes.get_xlim(), axes.get_ylim()) == ((0.0, 1.0), (1.5, -0.5)), "the largest is on top"
+    pressure, load = figures["distribution"].panels
+    quantiles = found.quantiles("max_pressure")
+    ends = [(quantile.low, quantile.high) for quantile in quantiles if np.isfinite(quantile.low + quantile.high)]
+    assert [(mark.low, mark.high) for mark in pressure.marks if isinstance(mark, Span)] == ends
+    (counts,) = (mark for mark in load.marks if isinstance(mark, Bars))
+    assert counts.y.sum() == found.samples("load").size
     low, middle, high = found.quantiles("load")
     assert low.low <= 20e3 - 2.326e3 <= low.high or low.low == -math.inf
     assert middle.low <= 20e3 <= middle.high

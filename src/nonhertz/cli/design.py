@@ -19,12 +19,13 @@ from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.planfile import read_design
 from nonhertz.files.studies import DESIGN, FRONT, as_text
 from nonhertz.files.toml import to_toml
+from nonhertz.plot.drawer import sheets_of
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table, assumed_section
 from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, Front, best
 from nonhertz.study.design import front as front_of
-from nonhertz.study.pictures import design_figures, front_figure
+from nonhertz.study.figures import design_figures, front_figures
 
 #: Of the loads of a front.
 GROUPS = ("without tilt", "with tilt")
@@ -64,10 +65,13 @@ def design(
         return _find_front(case, options, front, workers, directory)
     with progress_bar("searches") as update, rename_fields(threads="--workers", starts="--starts"):
         best_design = best(case, **options, workers=workers, announce=update)
-    made = write_outputs(directory, lambda: _output_texts(best_design, directory), lambda: design_figures(best_design))
+    title = best_design.was.title
+    made = write_outputs(
+        directory, lambda: _output_texts(best_design, directory), lambda: sheets_of(design_figures(best_design), title)
+    )
     text = partial(as_text, DESIGN, made, design=best_design)
     shown = [*design_sections(best_design), assumed_section(case.assumed)]
-    return Answer(best_design.was.title, shown, text, best_design.verdict, best_design.warnings, made)
+    return Answer(title, shown, text, best_design.verdict, best_design.warnings, made)
 
 
 def _output_texts(design: Design, out: Path) -> dict[str, str]:
@@ -111,7 +115,7 @@ def _find_front(case: Case, options: dict[str, Any], points: int, workers: int |
         title = {"title": f"{point_case.title}, point {number} of a front"}
         texts[f"case-{number}.toml"] = to_toml(point_case.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
-    made = write_outputs(out, lambda: texts, lambda: {"front": front_figure(front, groups)})
+    made = write_outputs(out, lambda: texts, lambda: sheets_of(front_figures(front, groups)))
     return Answer("", _front_sections(front), partial(as_json, made), front.verdict, front.warnings, made)
 
 

@@ -27,8 +27,9 @@ from nonhertz.files.planfile import Plan, parse_case_or_bearing
 from nonhertz.files.studies import SWEEP, as_text
 from nonhertz.files.toml import is_plan, load_document
 from nonhertz.files.workbooks import refuse_missing_writer
+from nonhertz.plot.drawer import sheets_of
 from nonhertz.show.studies import sweep_sections
-from nonhertz.study.pictures import sweep_figures
+from nonhertz.study.figures import sweep_figures
 from nonhertz.study.sweeps import Progress, sweep
 
 WORTH_SAYING = 10.0  # s
@@ -70,7 +71,8 @@ def sweep_plan(
     directory = default_output_path(plan, "-sweep", out)
     with progress_bar("rows") as update, rename_fields(threads="--workers", over="--over"):
         results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, announce=report_rows(update))
-    made = results.save(directory, figure_writer(lambda: sweep_figures(results)), excel=excel)
+    write_figures = figure_writer(lambda: sheets_of(sweep_figures(results), results.plan.title))
+    made = results.save(directory, write_figures, excel=excel)
     text = partial(as_text, SWEEP, made, sweep=results)
     return Answer(results.plan.title, sweep_sections(results), text, verdict=results.verdict, written=made)
 

@@ -22,8 +22,9 @@ from nonhertz.cli.printing import progress_bar
 from nonhertz.cli.sweep import load_plan, report_rows
 from nonhertz.files.studies import TOLERANCE, as_text
 from nonhertz.files.workbooks import refuse_missing_writer
+from nonhertz.plot.drawer import sheets_of
 from nonhertz.show.studies import tolerance_sections
-from nonhertz.study.pictures import tolerance_figures
+from nonhertz.study.figures import tolerance_figures
 from nonhertz.study.tolerances import tolerance
 
 
@@ -82,7 +83,7 @@ def study_tolerance(
 
     def draw(folder: Path) -> None:
         (folder / "tolerance.json").write_text(as_json() + "\n", encoding="utf-8")
-        figure_writer(lambda: tolerance_figures(study))(folder)
+        figure_writer(lambda: sheets_of(tolerance_figures(study), study.sweep.plan.title))(folder)
 
     made = study.sweep.save(directory, draw, excel=excel)
     title, shown = study.sweep.plan.title, tolerance_sections(study)

@@ -40,7 +40,7 @@ class Mark:
     name : str
         Entry in the legend; none if empty.
     colour : {"first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"}
-        Of the colours that any eye tells apart, of text, of thin lines, or of what is drawn on.
+        Of the colours that any eye tells apart, of text, of thin lines, or of what is drawn on, for fine ones.
     dash : {"solid", "dashed", "chain", "dotted", "long", "mixed", "ends", "none"}
         ``"ends"`` is the dash-dot line of engineering drawings; of ``"none"`` only points are seen.
     """
@@ -217,6 +217,11 @@ class Whiskers(Mark):
     high: Array
     aside: float = 0.0
 
+    @property
+    def numbers(self) -> tuple[Array, ...]:
+        """All lower ends, then all higher ones."""
+        return np.tile(self.x, 2), np.concatenate([self.low, self.high])
+
 
 @dataclass(frozen=True, eq=False)
 class Arrow(Mark):
@@ -346,21 +351,23 @@ class Panel:
     beside: bool = False
     sideways: bool = False
 
-    @property
-    def rows(self) -> Iterator[list[Any]]:
-        """The rows of `Figure.to_csv`."""
+    def rows(self, along: Axis, over: Sequence[str], *, coloured: bool) -> Iterator[list[Any]]:
+        """Yield the rows of `Figure.to_csv`, in whose figure some panel is coloured or none."""
         for mark in self.marks:
             # Points on a circle mark rollers.
             if not (self.round and isinstance(mark, Points)):
-                yield from self._rows_of(mark)
+                yield from self._rows_of(mark, along, over, coloured=coloured)
 
-    def _rows_of(self, mark: Mark) -> Iterator[list[Any]]:
-        numbers = mark.numbers
-        colours = self.colours if len(numbers) > 2 else None
-        axis = colours or self.upright
-        rest = [None, None] if self.colours and not colours else [axis.unit]
-        for row in zip(*(values.tolist() for values in numbers), strict=True):
-            yield [self.name, mark.name or axis.symbol, *_plain(row), *rest]
+    def _rows_of(self, mark: Mark, along: Axis, over: Sequence[str], *, coloured: bool) -> Iterator[list[Any]]:
+        flat = len(mark.numbers) == 2
+        axis = self.colours if self.colours and not flat else self.upright
+        unit = None if self.colours and flat else axis.unit
+        for row in zip(*(values.tolist() for values in mark.numbers), strict=True):
+            x, *rest = _plain(row)
+            if flat and coloured:
+                rest.insert(1 if self.colours else 0, None)
+            place = along.categories[int(x)] if along.categories else x
+            yield [self.name, mark.name or axis.symbol, *over, place, *rest, unit]
 
 
 @dataclass(frozen=True, eq=False)
@@ -394,13 +401,20 @@ class Figure:
 
         The columns are panel, name or symbol, place along, value and its unit. Where colours stand for values, the
         upright place comes before these: of cells their middles, of contours the points that they run between, of an
-        area half its height beside the value in its middle; lines and points have no value there. What is not finite is
-        an empty cell.
+        area half its height beside the value in its middle; lines and points have no value there. Where panels have
+        different axes along, a column "over" says of what the place is. What is not finite is an empty cell.
         """
         upright = next((panel.upright for panel in self.panels if panel.colours), None)
-        along = {heading(axis.symbol, axis.unit): None for axis in (panel.along or self.along for panel in self.panels)}
-        places = [" or ".join(along), *([heading(upright.symbol, upright.unit)] if upright else [])]
-        rows = (row for panel in self.panels for row in panel.rows)
+        several = [panel.along or self.along for panel in self.panels]
+        heads = [heading(axis.symbol, axis.unit) for axis in several]
+        same = len(set(heads)) == 1
+        rows = (
+            row
+            for panel, along, head in zip(self.panels, several, heads, strict=True)
+            for row in panel.rows(along, () if same else (head,), coloured=upright is not None)
+        )
+        places = [heads[0]] if same else ["over", "place"]
+        places += [heading(upright.symbol, upright.unit)] if upright else []
         return csv_text(["panel", "line", *places, "value", "unit"], rows)
 
     def to_json(self) -> dict[str, Any]:

@@ -107,7 +107,7 @@ def key_above(
     entries: dict[str, Any] = {"handles": handles, "labels": labels} if handles is not None else {}
     usual: dict[str, Any] = {"borderaxespad": 0.2, "borderpad": 0.2, "handlelength": 2.4, "columnspacing": 1.6}
     place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": columns}
-    return ax.legend(**entries, **place, frameon=False, fontsize=SMALL_SIZE, **usual | options)
+    return ax.legend(**entries, frameon=False, fontsize=SMALL_SIZE, **place | usual | options)
 
 
 def note(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,10 +13,12 @@ from nonhertz.plot.style import COLOUR_MAP, HAIR, INK, SMALL_SIZE
 
 if TYPE_CHECKING:
     from matplotlib.contour import ContourSet
+    from matplotlib.transforms import Bbox
 
 BANDS = 10  # of colour, at most
 APART = 0.17  # inches: least distance of a label from the next, and from points
 SHARES = (0.5, 0.35, 0.65, 0.22, 0.78)  # of the bars: where the column of labels may be
+PADDING = 4.0  # pixels around a label
 NEAR = 2.0  # columns of values, within which a point may lie under a label
 
 
@@ -38,7 +40,7 @@ def draw_contours(mark: Contours, x: Array, y: Array, colours: Axis, ax: Axes) -
 def label_contours(lines: ContourSet, mark: Contours, x: Array, y: Array, panel: Panel, ax: Axes) -> None:
     """Label contour lines; in true proportions where they cross a column below the largest values, far enough apart."""
     if not panel.proportional:
-        ax.clabel(lines, np.asarray(lines.levels)[::2], fmt="%.4g", fontsize=SMALL_SIZE - 1.0)
+        _label_anywhere(lines, ax)
         return
     assert panel.colours is not None
     factor = panel.colours.scale[0]
@@ -62,6 +64,22 @@ def label_contours(lines: ContourSet, mark: Contours, x: Array, y: Array, panel:
             places.append((float(x[column]), float(np.interp(depth, depths, y))))
     if places:
         ax.clabel(lines, manual=places, fmt="%.4g", fontsize=SMALL_SIZE, inline_spacing=2.0)
+
+
+def _label_anywhere(lines: ContourSet, ax: Axes) -> None:
+    """Label contour lines where matplotlib would, but for labels that would cover others."""
+    look: dict[str, Any] = {"fmt": "%.4g", "fontsize": SMALL_SIZE - 1.0}
+    boxes: list[Bbox] = []
+    tried, places = ax.clabel(lines, inline=False, **look), list[tuple[float, float]]()
+    for label in tried:
+        box = label.get_window_extent().padded(PADDING)
+        if not box.count_overlaps(boxes):
+            boxes.append(box)
+            places.append(label.get_position())
+    for label in tried:
+        label.remove()
+    if places:
+        ax.clabel(lines, manual=places, inline_spacing=2.0, **look)
 
 
 def _crossing(values: Array, depths: Array, level: float, apart: float) -> float | None:

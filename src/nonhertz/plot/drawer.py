@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Any, Final
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Final
 
 from nonhertz.figures.value import (
     Across,
@@ -36,6 +36,9 @@ from nonhertz.plot.sheets import (
 )
 from nonhertz.plot.style import COLOURS
 
+if TYPE_CHECKING:
+    from matplotlib.axis import XAxis, YAxis
+
 LOWEST: Final = 0.5  # inch, of a panel in true proportions
 HEADS: Final = 0.24, 0.6  # inch, above such a panel and the stretched one below it
 TITLE_ABOVE, ROW_OF_KEY, SAMPLE = 7.0, 11.5, 7  # points above a legend, and of a row of it; letters that a sample takes
@@ -44,6 +47,7 @@ HEAD: Final = 0.36  # inch, above each panel, for its legend
 EDGE, AROUND = 0.1, 0.75  # inch: to the left of a title over rows of panels, and for what is around the panels of a row
 LINEAR_PART: Final = 0.9  # decades, that each half of the linear part of an axis takes
 TICKS = 10  # at most, of a panel that is as wide as the page
+WITHIN_DECADES: Final = {1e2: (1.0, 2.0, 5.0), 1e3: (1.0, 3.0)}  # numbers at an axis whose ends have that ratio at most
 LETTERS: Final = 96  # of the conditions, that fit in a line
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 
@@ -53,6 +57,12 @@ def sheet_of(figure: Figure, title: str = "") -> Sheet:
     sheet = _laid_out(figure, title)
     NUMBERS[sheet] = figure
     return sheet
+
+
+def sheets_of(figures: Mapping[str, Figure], title: str = "") -> dict[str, Sheet]:
+    """Return sheets of figures by their names, in the style of the sheets."""
+    with style.sheet_style():
+        return {name: sheet_of(figure, title) for name, figure in figures.items()}
 
 
 def _laid_out(figure: Figure, title: str) -> Sheet:
@@ -69,7 +79,7 @@ def _laid_out(figure: Figure, title: str) -> Sheet:
         sheet, axes = stacked([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
         draw_colour_bar(first, axes[-1], cax=bar_beside(*axes, most=2.0 * heights[0] + HEAD))
     else:
-        rows = [max(map(len, _columns_of_key(key, WIDTH - LEFT - MARGIN)), default=1) for key in keys]
+        rows = [_rows_of_key(key, WIDTH - LEFT - MARGIN) or 1 for key in keys]
         sheet, axes = stacked([HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words))
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
@@ -107,7 +117,9 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
         else:
             rows.append([panel])
     heights = [max(panel.height for panel in row) / DOTS for row in rows]
-    height = sum(heights) + AROUND * len(rows)
+    keys = dict(zip(figure.panels, _keys(figure.panels), strict=True))
+    lines = [max(_rows_of_key(keys[panel], (WIDTH - AROUND) / len(row)) for panel in row) for row in rows]
+    height = sum(heights) + AROUND * len(rows) + ROW_OF_KEY / 72.0 * sum(lines)
     drawn = sheet(height, title, _lines(figure.conditions), EDGE)
     layout = ConstrainedLayoutEngine(rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
     drawn.set_layout_engine(layout)
@@ -125,7 +137,7 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
                 several[-1].set_ylabel("")
     # Legends and headings fit into the width that is left to the panels.
     layout.execute(drawn)
-    for place, (panel, key) in enumerate(zip(figure.panels, _keys(figure.panels), strict=True)):
+    for place, (panel, key) in enumerate(keys.items()):
         _frame(panel, figure, key, *several[place:])
     return drawn
 
@@ -172,7 +184,7 @@ def _proportional_sheet(figure: Figure, title: str) -> Sheet:
     area = any(isinstance(mark, Area) for mark in panel.marks)
     if area and stretch >= 2.0:
         heights = {1.0: max(natural, LOWEST)} | heights
-    rows = max(map(len, _columns_of_key([panel], width)), default=0)
+    rows = _rows_of_key([panel], width)
     heads = HEADS[: len(heights)] if area else [(TITLE_ABOVE + ROW_OF_KEY * (rows + 1.5)) / 72.0]
     right = WIDTH - LEFT - width
     sheet, several = stacked(heads, [*heights.values()], title, _lines(figure.conditions), right=right)
@@ -246,6 +258,7 @@ def _set_axis(axis: Axis, letter: str, ax: Axes, *, auto: bool | None) -> None:
     factor, words = axis.scale[0], axis.categories
     if axis.logarithmic:
         ax.set(**{f"{letter}scale": "log"})
+        _tick_decades(axis, ax.xaxis if letter == "x" else ax.yaxis)
     if axis.linear:
         drawn = {"x": ax.xaxis, "y": ax.yaxis}[letter]
         getattr(ax, f"set_{letter}scale")("symlog", linthresh=factor * axis.linear, linscale=LINEAR_PART)
@@ -259,6 +272,18 @@ def _set_axis(axis: Axis, letter: str, ax: Axes, *, auto: bool | None) -> None:
         getattr(ax, f"set_{letter}lim")(*(factor * end for end in axis.range), auto=auto)
     if axis.ticks and letter == "x":
         ax.set_xticks(*zip(*((factor * place, words) for place, words in axis.ticks), strict=True))
+
+
+def _tick_decades(axis: Axis, drawn: XAxis | YAxis) -> None:
+    """Write numbers within decades, too, at a short logarithmic axis."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    ratio = axis.range[1] / axis.range[0] if axis.range else math.inf
+    steps = next((steps for most, steps in WITHIN_DECADES.items() if ratio <= most), None)
+    if steps is not None:
+        drawn.set_major_locator(LogLocator(subs=steps))
+        drawn.set_major_formatter(lambda value, _: number(value))
+        drawn.set_minor_formatter(NullFormatter())
 
 
 def proportions(panel: Panel, stretch: float, heading: str = "") -> str:
@@ -297,7 +322,10 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
     from matplotlib.lines import Line2D
 
     ax, drawn = several[0], _samples(panels, several)
-    columns = _columns_of_key(panels, ax.bbox.width / ax.figure.dpi)
+    # Beside bars there is room above the names, too.
+    sideways = bool(panels) and panels[0].sideways
+    room = (ax.get_tightbbox() if sideways else None) or ax.bbox
+    columns = _columns_of_key(panels, room.width / ax.figure.dpi)
     rows = max(map(len, columns), default=0)
     if not rows:
         return 0
@@ -305,8 +333,11 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
     words = [entry for column in columns for entry in (*column, *[""] * (rows - len(column)))]
     samples = [drawn.get(entry) or Line2D([], [], linestyle="none") for entry in words]
     narrow = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
-    key_above(ax, samples, words, columns=len(columns), **({"handlelength": 2.2} if rows == 1 else narrow))
-    return rows
+    key = panels[0].key
+    title = {"title": key, "title_fontsize": style.SMALL_SIZE, "alignment": "left"} if key else {}
+    title |= {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0)} if sideways else {}
+    key_above(ax, samples, words, columns=len(columns), **title, **({"handlelength": 2.2} if rows == 1 else narrow))
+    return rows + bool(key)
 
 
 def _samples(panels: Sequence[Panel], several: Sequence[Axes]) -> dict[str, Any]:
@@ -332,6 +363,11 @@ def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:
     entries, count = [*points], len(points)
     splits = ([entries[at : at + rows] for at in range(0, count, rows)] for rows in range(2, count + 1))
     return next((split for split in splits if _wide(split) <= width), [entries])
+
+
+def _rows_of_key(panels: Sequence[Panel], width: float) -> int:
+    """Return how many rows the legend of panels has in a width [inch]."""
+    return max(map(len, _columns_of_key(panels, width)), default=0) + any(panel.key for panel in panels)
 
 
 def _wide(columns: Sequence[Sequence[str]]) -> float:

@@ -10,7 +10,6 @@ from nonhertz.comparison import Comparison
 from nonhertz.errors import InputError
 from nonhertz.figures import bearing, contact
 from nonhertz.figures.comparison import compared_methods
-from nonhertz.figures.value import Figure as Values
 from nonhertz.inputs.checks import one_of
 from nonhertz.plot.axes import Axes, Figure
 from nonhertz.plot.bearing.displacement import displacement_against_load
@@ -19,8 +18,7 @@ from nonhertz.plot.bearing.pressure import bearing_pressure
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.centre_line import pressure, profile
 from nonhertz.plot.contact_area import footprint
-from nonhertz.plot.drawer import sheet_of
-from nonhertz.plot.style import sheet_style
+from nonhertz.plot.drawer import sheets_of
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -70,7 +68,7 @@ def figures(result: Solution | BearingSolution, title: str = "", *, films: Films
     """
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title, films=films)
-    return _drawn(contact.figures_of(result), title)
+    return sheets_of(contact.figures_of(result), title)
 
 
 def bearing_figures(
@@ -97,7 +95,7 @@ def bearing_figures(
         ``"displacement"`` (if a force acts on the inner ring), with films ``"film"`` and ``"film-along"``; `save`
         writes them.
     """
-    return _drawn(bearing.figures_of(solution, maps, films), title)
+    return sheets_of(bearing.figures_of(solution, maps, films), title)
 
 
 def comparison(found: Comparison, title: str = "") -> Figure:
@@ -119,9 +117,4 @@ def comparison(found: Comparison, title: str = "") -> Figure:
     matplotlib.figure.Figure
         `save` writes it.
     """
-    return _drawn({"": compared_methods(found)}, title)[""]
-
-
-def _drawn(values: Mapping[str, Values], title: str) -> dict[str, Figure]:
-    with sheet_style():
-        return {name: sheet_of(figure, title) for name, figure in values.items()}
+    return sheets_of({"": compared_methods(found)}, title)[""]

@@ -116,7 +116,8 @@ def draw_mark(mark: Mark, pen: Pen) -> None:
 @draw_mark.register
 def _(mark: Line, pen: Pen) -> None:
     points: dict[str, Any] = {"marker": "o", "markersize": 2.5} if mark.marked else {}
-    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), linewidth=style.LINE, **points, **_look(mark))
+    width = style.HAIR if mark.colour == "paper" else style.LINE
+    pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), linewidth=width, **points, **_look(mark))
 
 
 @draw_mark.register
@@ -205,6 +206,7 @@ def _(mark: Whiskers, pen: Pen) -> None:
     low, high, places = pen.upright(mark.low), pen.upright(mark.high), pen.along(mark.x + mark.aside)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     look: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": style.THIN, "ecolor": COLOURS[mark.colour]}
+    look["label"] = _look(mark)["label"]
     if pen.sideways:
         pen.ax.errorbar(middle, places, xerr=half, **look)
     else:

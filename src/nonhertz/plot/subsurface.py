@@ -9,8 +9,7 @@ import numpy as np
 from nonhertz.figures.stress import across_contact, along_contact, extremes_by_name
 from nonhertz.figures.value import Figure as Values
 from nonhertz.plot.axes import OWN, Axes, Figure, drawing
-from nonhertz.plot.drawer import draw_proportional, sheet_of
-from nonhertz.plot.style import sheet_style
+from nonhertz.plot.drawer import draw_proportional, sheets_of
 from nonhertz.result.solution import Solution
 from nonhertz.subsurface import Extremes, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
@@ -139,9 +138,7 @@ def stress_figures(
     dict of str to matplotlib.figure.Figure
         Keys ``"axial-plane"`` and ``"cross-section"``; `save` writes them.
     """
-    drawn = stress_planes_drawn(solution, overall, section, planes)
-    with sheet_style():
-        return {name: sheet_of(figure, title) for name, figure in drawn.items()}
+    return sheets_of(stress_planes_drawn(solution, overall, section, planes), title)
 
 
 def stress_planes_drawn(

@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import Final
 
 from nonhertz.figures import bearing, contact
+from nonhertz.figures.dent import around_dent
 from nonhertz.figures.life import life_densities
 from nonhertz.figures.overlay import compared_bearings, compared_contacts
 from nonhertz.figures.value import Axis, Figure
-from nonhertz.plot import dent_figure
 from nonhertz.plot.drawer import sheet_of
 from nonhertz.plot.style import sheet_style
 from nonhertz.plot.subsurface import stress_planes_drawn
@@ -76,9 +76,7 @@ def _of_lives(found: CaseResults) -> Iterator[Picture]:
         return
     yield from _drawn({"": life_densities(assessed.spectrum, assessed.lives)})
     if assessed.dent is not None:
-        caption = "The largest stress around the dent while it is rolled over, and where it adds damage."
-        words = "; ".join(f"{name}: life {life:.3g}" for name, life in assessed.dent_lives.items())
-        yield Picture(dent_figure(assessed.dent, assessed.judging_dents), caption, words)
+        yield from _drawn({"": around_dent(assessed.dent, assessed.judging_dents)})
 
 
 def of_all(found: Sequence[Results]) -> list[Picture]:

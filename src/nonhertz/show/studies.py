@@ -17,7 +17,7 @@ from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Block, Row, Said, Section, Table, assumed_rows, summary
 from nonhertz.study.design import Design
 from nonhertz.study.diagrams import Diagram
-from nonhertz.study.pictures import in_words
+from nonhertz.study.figures import in_words
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
 

@@ -23,11 +23,10 @@ from nonhertz.files.spreads import parse_number
 from nonhertz.files.studies import DIAGRAM, as_text
 from nonhertz.inputs.checks import is_number
 from nonhertz.plot import save_all
-from nonhertz.plot.drawer import sheet_of
-from nonhertz.plot.style import sheet_style
+from nonhertz.plot.drawer import sheets_of
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import Quantity
-from nonhertz.study.pictures import in_words
+from nonhertz.study.figures import in_words
 from nonhertz.study.sweeps import Progress, Sweep, sweep
 
 Array = NDArray[np.float64]
@@ -139,8 +138,7 @@ class Diagram:
 
         def draw(drafts: Path) -> None:
             (drafts / "diagram.json").write_text(self.to_json() + "\n", encoding="utf-8")
-            with sheet_style():
-                save_all({"diagram": sheet_of(self.figure(), self.sweep.plan.case.title)}, drafts)
+            save_all(sheets_of({"diagram": self.figure()}, self.sweep.plan.case.title), drafts)
 
         return self.sweep.save(folder, draw)
 
