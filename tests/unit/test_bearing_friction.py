@@ -149,3 +149,39 @@ def test_additives_are_demanded_of_thin_oil_alone():
         assert ("additives" in kinds(case)) is named
     level, sentence = kinds(replace(case, lubrication=nh.bearing.Lubrication(viscosity=4.8)))["additives"]
     assert (level, sentence.split(",")[0]) == ("NOT_JUDGED", "With kappa of 0.398")
+
+
+# KRW Leipzig, catalogue, page 53, after DIN 732-2 (draft): f_0 in oil and f_1 by series; of bearings without a cage by
+# its own names, of which 18V is our SL1818, 29V SL1829 and so on.
+KRW = {
+    "cylindrical": {
+        "10": (2.0, 0.0002), "2": (2.0, 0.0003), "3": (2.0, 0.00035), "4": (2.0, 0.0004), "22": (3.0, 0.0004),
+        "23": (4.0, 0.0004), "SL1818": (5.0, 0.00055), "SL1829": (6.0, 0.00055), "SL1830": (7.0, 0.00055),
+        "SL1822": (8.0, 0.00055), "SL1923": (12.0, 0.00055),
+    },
+    "tapered": {
+        **dict.fromkeys(("302", "303", "313"), (3.0, 0.0004)),
+        **dict.fromkeys(("329", "320", "322", "323"), (4.5, 0.0004)),
+        **dict.fromkeys(("330", "331", "332"), (6.0, 0.0004)),
+    },
+    "spherical": {
+        "222": (4.0, [0.0005, 0.33]), "223": (4.5, [0.0008, 0.33]), "230": (4.5, [0.00075, 0.5]),
+        "239": (4.5, [0.00075, 0.5]), "231": (5.5, [0.0012, 0.5]), "232": (6.0, [0.0016, 0.5]),
+        "240": (6.5, [0.0012, 0.5]), "241": (7.0, [0.0022, 0.5]),
+    },
+    "thrust": {"811": (3.0, 0.0015)},
+}  # fmt: skip
+
+
+def test_factors_are_those_of_a_second_maker():
+    for kind, of_series in KRW.items():
+        for series, (f0, f1) in of_series.items():
+            factors = series_table()[kind][series]
+            assert (factors["f0"][0], factors["f1"]) == (f0, f1)
+
+
+def test_the_losses_of_an_example_of_a_maker():
+    # KRW, page 62: NJ220E at 3600 1/min in 27 mm^2/s under 30 kN: over 0.84 kW, 0.52 by speed and 0.565 by load.
+    by_speed, by_load = speed_torque(2.0, 27.0, 3600.0, 140.0), load_torque(0.0003, 30e3, 140.0)
+    assert power(by_speed, 3600.0) / 840.0 == pytest.approx(0.52, abs=0.005)
+    assert power(by_load, 3600.0) / 840.0 == pytest.approx(0.565, abs=5e-4)
