@@ -37,8 +37,10 @@ if TYPE_CHECKING:
     from nonhertz.errors import Interrupted as Interrupted
     from nonhertz.errors import NonhertzError as NonhertzError
     from nonhertz.files.bearingfile import BearingCase as BearingCase
+    from nonhertz.files.bearingfile import new_bearing as new_bearing
     from nonhertz.files.bearingfile import read_bearing as read_bearing
     from nonhertz.files.casefile import Case as Case
+    from nonhertz.files.casefile import new_case as new_case
     from nonhertz.files.casefile import read_case as read_case
     from nonhertz.files.planfile import Plan as Plan
     from nonhertz.files.planfile import read_plan as read_plan
@@ -110,6 +112,8 @@ _HOMES = {
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
     "contact_map": "nonhertz.maps.verb",
+    "new_bearing": "nonhertz.files.bearingfile",
+    "new_case": "nonhertz.files.casefile",
     "read_bearing": "nonhertz.files.bearingfile",
     "read_case": "nonhertz.files.casefile",
     "read_plan": "nonhertz.files.planfile",

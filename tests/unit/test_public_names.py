@@ -6,6 +6,8 @@ import inspect
 import pytest
 
 import nonhertz as nh
+from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.casefile import starting_case
 
 
 def test_every_public_name_resolves():
@@ -26,3 +28,20 @@ def test_dir_of_a_public_module_shows_what_is_public_and_nothing_else(name):
     ours = [value for value in values.values() if inspect.isclass(value) or inspect.isroutine(value)]
     assert all(value.__module__.startswith("nonhertz.") and value.__doc__ for value in ours)
     assert dir(module) == sorted(getattr(module, "__all__", values))
+
+
+@pytest.mark.parametrize("template", [None, "wheel-on-rail"])
+def test_a_new_case_is_that_of_the_file_that_new_writes(template, tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(starting_case(template), encoding="utf-8")
+    assert nh.new_case(template).contact == nh.read_case(path).contact
+    assert nh.new_case(template, {"load.load": "5 kN"}).prescribed.load == 5e3
+
+
+@pytest.mark.parametrize("template", [None, "tapered-pair"])
+def test_a_new_bearing_is_that_of_the_file_that_new_writes(template, tmp_path):
+    path = tmp_path / "bearing.toml"
+    path.write_text(starting_bearing(template), encoding="utf-8")
+    assert nh.new_bearing(template).bearing == nh.read_bearing(path).bearing
+    with pytest.raises(nh.InputError, match="template"):
+        nh.new_bearing("ball")

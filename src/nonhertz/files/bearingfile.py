@@ -5,6 +5,7 @@ All mistakes in a file are found at once and raised together, in the wording of 
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -500,6 +501,33 @@ def starting_bearing(template: str | None = None) -> str:
         If there is no such template.
     """
     return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
+
+
+def new_bearing(template: str | None = None, changes: Mapping[str, Any] | None = None) -> BearingCase:
+    """Return a bearing and what loads it to start from, the one that ``nonhertz new --bearing`` writes as a file.
+
+    Parameters
+    ----------
+    template : str, optional
+        One of `BEARING_TEMPLATES`, each an example of a kind of bearing.
+    changes : mapping of str to object, optional
+        Values in place of those in the template, by dotted path, such as ``{"load.radial": "5 kN"}``; None takes a key out.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the changes, one sentence each.
+    InputError
+        If there is no such template, or ``changes`` is not a mapping.
+
+    Examples
+    --------
+    >>> nu206 = new_bearing().bearing
+    >>> nu206.rollers, nu206.roller.diameter
+    (13, 9.0)
+    """
+    text = starting_bearing(template)
+    return BearingCase.of(tomllib.loads(text), Path("bearing.toml"), text, changes=changes)
 
 
 def with_file_path(error: InputError, *sections: str, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:

@@ -5,6 +5,7 @@ All mistakes in a file are found at once and raised together, in the wording of 
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -169,6 +170,33 @@ def starting_case(template: str | None = None) -> str:
         If there is no such template.
     """
     return starting_text("starting_case.toml", template, TEMPLATES, "templates")
+
+
+def new_case(template: str | None = None, changes: Mapping[str, Any] | None = None) -> Case:
+    """Return a case to start from, the one that ``nonhertz new`` writes as a file.
+
+    Parameters
+    ----------
+    template : str, optional
+        One of `TEMPLATES`, each an example of a machine element.
+    changes : mapping of str to object, optional
+        Values in place of those in the template, by dotted path, such as ``{"load.load": "5 kN"}``; None takes a key out.
+
+    Raises
+    ------
+    CaseError
+        With every mistake in the changes, one sentence each.
+    InputError
+        If there is no such template, or ``changes`` is not a mapping.
+
+    Examples
+    --------
+    >>> case = new_case("wheel-on-rail", {"load.load": "90 kN"})
+    >>> round(case.solve().max_pressure, -1)
+    1350.0
+    """
+    text = starting_case(template)
+    return Case.of(tomllib.loads(text), Path("case.toml"), text, changes=changes)
 
 
 def with_file_path(error: InputError, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
