@@ -126,7 +126,7 @@ def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Cas
     path : str or Path
         A TOML file; see docs/reference/case-file.md.
     changes : mapping of str to object, optional
-        Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None takes a key out.
+        Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None removes a key.
         The text names them.
 
     Returns
@@ -180,7 +180,7 @@ def new_case(template: str | None = None, changes: Mapping[str, Any] | None = No
     template : str, optional
         One of `TEMPLATES`, each an example of a machine element.
     changes : mapping of str to object, optional
-        Values in place of those in the template, by dotted path, such as ``{"load.load": "5 kN"}``; None takes a key out.
+        Values in place of those in the template, by dotted path, such as ``{"load.load": "5 kN"}``; None removes a key.
 
     Raises
     ------
