@@ -30,6 +30,9 @@ LOOSER = {
 # What may cancel to zero is measured by another number of the run: a moment by the load at 1 mm, a gap by the approach.
 MEASURED_BY = {"moment": "load", "gap": "approach", "displacement_z": "displacement_y", "shift": "largest"}
 MEASURED_BY |= {"load_by_tilt": "load_by_approach", "moment_by_approach": "load_by_approach"}
+# Signed sums of what symmetry makes rounding, such as tilts of rollers under a radial load, have no relative accuracy:
+# nor need they be nearer than rounding of another number, here the approach at 1 mm.
+ROUNDING_OF = {"bearing tilt": "approach"}
 QUICK = ("solve", "profile")
 
 
@@ -60,8 +63,14 @@ def limit(command, run, key):
     shares = next((each for part, each in LOOSER.items() if part in f"{command} {quantity(key)}"), (SAME, ELSEWHERE))
     path, _, last = quantity(key).rpartition(".")
     beside = {quantity(key), f"{path}.{MEASURED_BY.get(last, last)}".lstrip(".")}
-    largest = max(size(value) for name, value in run.items() if quantity(name) in beside)
-    return [share * largest if largest else 0.0 for share in shares]
+    largest = largest_size(run, beside)
+    rounding = SAME * largest_size(run, {ROUNDING_OF.get(f"{command} {quantity(key)}")})
+    return [max(share * largest if largest else 0.0, rounding) for share in shares]
+
+
+def largest_size(run, names):
+    """Return the largest size of some quantities in a run, 0 where it has none of them."""
+    return max((size(value) for key, value in run.items() if quantity(key) in names), default=0.0)
 
 
 def quantity(key):
