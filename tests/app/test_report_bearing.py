@@ -19,8 +19,7 @@ from nonhertz.report.assumptions import Verdict, assumptions
 from nonhertz.report.differences import results
 from nonhertz.report.inputs import inputs
 from nonhertz.report.method import method
-from nonhertz.report.overview import first_numbers, geometry
-from nonhertz.show.bearing import life_rows, summary_rows
+from nonhertz.report.overview import geometry, key_numbers
 from nonhertz.show.beside import beside
 from nonhertz.verdict import Level
 
@@ -48,8 +47,7 @@ def case_of(text: str, name: str = "bearing.toml") -> BearingCase:
 
 
 def numbers_of(found: BearingResults) -> dict[str, tuple[str, str]]:
-    rows = [*summary_rows(found.case, found.solution), *life_rows(found.life, found.reason)]
-    return {name: (value, remark) for name, value, remark in first_numbers(found, rows)}
+    return {name: (value, remark) for name, value, remark in key_numbers(found)}
 
 
 def found_in(text: str, *, compare: bool = False) -> BearingResults:
@@ -172,23 +170,23 @@ def test_a_bearing_without_balance_is_reported_as_such(folder, monkeypatch, run)
 def test_key_numbers_are_those_of_the_solution(few):
     shown = numbers_of(few)
     solution = few.solution
-    value, where = shown["maximum pressure"]
-    assert float(value.split()[0]) == pytest.approx(solution.max_pressure.max(), rel=1e-4)
-    assert where.startswith("inner ring, roller 1")
-    value, where = shown["most loaded roller"]
-    assert [float(each) for each in re.findall(r"[\d.]+", value)] == pytest.approx(1e-3 * solution.load[0], rel=1e-4)
-    assert (value[-2:], where) == ("kN", "at inner and outer ring; roller 1 at 0.0 degrees")
+    value, where = shown["Largest pressure"]
+    assert float(value.split()[0]) == pytest.approx(solution.max_pressure.max(), rel=5e-4)
+    assert where == "roller 1, inner ring"
+    value, where = shown["Largest roller load"]
+    assert float(value.removesuffix(" kN")) == pytest.approx(1e-3 * solution.load[0].max(), rel=5e-4)
+    assert where == "roller 1 at 0.0°"
     # One of them bears what a force towards it alone leaves to the neighbours, which are 60 degrees off.
     loaded = np.flatnonzero(solution.load[:, 0])
-    assert shown["loaded rollers"][0] == f"{loaded.size} of 6"
-    moved = float(shown["displacement"][0].split(", ")[1])
-    assert moved == pytest.approx(1e3 * solution.displacement[1], rel=1e-4)
+    assert shown["Loaded rollers"][0] == f"{loaded.size} of 6"
+    moved = float(shown["Displacement"][0].removesuffix(" µm"))
+    assert moved == pytest.approx(1e3 * np.hypot(*solution.displacement[1:3]), rel=5e-4)
     # They reach the sharp ends of the rollers.
-    assert shown["rated life"][0] == "none"
+    assert shown["Rated life"][0] == "–"
     rounded = found_in(PLAIN.replace("length = 10.0", "length = 10.0\ncorner_radius = 0.3"))
     hours = rounded.life.reference_life * 1e6 / (60.0 * 1500.0)
-    remark = numbers_of(rounded)["rated life"][1]
-    assert float(remark.split()[0]) == pytest.approx(hours, rel=1e-3)
+    value, remark = numbers_of(rounded)["Rated life"]
+    assert float(value.split()[0]) == pytest.approx(hours, rel=1e-3)
     assert remark.endswith("give viscosity and cleanliness for the modified life")
 
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
-from itertools import pairwise
-from typing import Final
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +18,7 @@ from nonhertz.model.body import Body
 from nonhertz.model.materials import name_of
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.brief import sizes
+from nonhertz.show.key_numbers import bearing_numbers, contact_numbers, stress_number
 from nonhertz.show.sections import Row
 
 Array = NDArray[np.float64]
@@ -28,12 +27,6 @@ SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
 NEAR_ENDS = 0.9  # of what can touch: at the very end some bodies have no relief
 PARTS = ("roller", *RINGS)
-#: Names of the rows of summaries that are looked for first, in this order.
-FIRST: Final = (
-    *("maximum pressure", "approach", "penetration", "largest half-width", "load"),
-    *("static safety", "modified life", "rated life", "most loaded roller", "loaded rollers", "largest rib load"),
-    *("displacement", "tilt of the inner ring"),
-)
 _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
     "radial": ("a radial force of", newton),
     "axial": ("an axial force of", newton),
@@ -46,22 +39,15 @@ _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
 }
 
 
-def first_numbers(found: Results, rows: Iterable[Row]) -> list[Row]:
-    """Return the rows of summaries that are looked for first, and the largest stress if any.
-
-    What the row below says is added where that goes on; below the pressure of a bearing is that of the other ring.
-    """
-    numbers: dict[str, Row] = {}
-    for (name, value, remark), below in pairwise([*rows, ("end", "", "")]):
-        other_ring = isinstance(found, BearingResults) and name == "maximum pressure"
-        more = "" if below[0] or other_ring else ", ".join(filter(None, below[1:]))
-        numbers.setdefault(name, (name, value, "; ".join(filter(None, (remark, more)))))
-    cards = [numbers[name] for name in FIRST if name in numbers]
-    if isinstance(found, CaseResults) and found.stress:
-        largest = found.stress[0].von_mises
-        where = f"{largest.site}y = {mm(largest.y):4}, z = {mm(largest.z):3}"
-        cards.append((f"largest von Mises stress in body {found.stress[0].body}", f"{mpa(largest.max)}", where))
-    return cards
+def key_numbers(found: Results) -> list[Row]:
+    """Return name, number and place of what is looked for first."""
+    if isinstance(found, BearingResults):
+        numbers = [] if found.solution is None else bearing_numbers(found.case, found.solution, found.life)
+    else:
+        numbers = contact_numbers(found.case, found.solution, found.complaint)
+        if found.stress:
+            numbers.append(stress_number(found.stress[0].body, found.stress[0].von_mises, searched=True))
+    return [(each.name, " ".join(filter(None, each.shown)), each.where) for each in numbers]
 
 
 def opening(found: Results) -> str:

@@ -21,7 +21,7 @@ from nonhertz.report.downloads import downloads
 from nonhertz.report.inputs import Entry, InputGroup, in_words, inputs
 from nonhertz.report.layout import Files, Part, Words, laid_out
 from nonhertz.report.method import method
-from nonhertz.report.overview import first_numbers, geometry, opening
+from nonhertz.report.overview import geometry, key_numbers, opening
 from nonhertz.report.results import BearingResults, CaseResults, Results, examined, settled
 from nonhertz.show import bearing, stresses
 from nonhertz.show import lives as life_shown
@@ -29,7 +29,7 @@ from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.beside import Cells, Compared, beside
-from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Said, Section, Table, rows_of_summaries, summary
+from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Said, Section, Table, summary
 
 _SHORT = ("Film", "Friction", "Speeds and frequencies")
 MOST_NAMED = 3  # cases that the title of a comparison names
@@ -110,11 +110,10 @@ def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
     if len(found) == 1:
         only = found[0]
         shown = _shown(only)
-        numbers = first_numbers(only, rows_of_summaries(shown))
         drawn = figures.belonging(only)
         first = Section("", drawn.pop(""))
         with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
-        part = Part(only, [first, *with_figures, *_given(only, words)], numbers=numbers)
+        part = Part(only, [first, *with_figures, *_given(only, words)], numbers=key_numbers(only))
         return laid_out(only.case.title, words, head, opening(only), [part])
     labels, rows = [each.label for each in found], results(found)
     parts = [Part(None, _compared(found, rows, words))]

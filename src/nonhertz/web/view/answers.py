@@ -18,10 +18,10 @@ from nonhertz.files.sections import read_context
 from nonhertz.model.body import Body
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
+from nonhertz.show.key_numbers import contact_numbers
 from nonhertz.show.summary import summary_rows
 from nonhertz.verdict import judge_contact
-from nonhertz.web.view.replies import verdict_seen
-from nonhertz.web.view.tiles import contact_tiles
+from nonhertz.web.view.replies import number_seen, verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "title": case.title,
         "status": solution.status.label,
         "complaint": complaint,
-        "numbers": contact_tiles(case, solution, rated=not complaint and bool(solution.contact_y)),
+        "numbers": [*map(number_seen, contact_numbers(case, solution, complaint))],
         # All digits but those of rounding alone.
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()},
         # Where the pressure does not decide, the search when the slider rests does: it takes seconds.

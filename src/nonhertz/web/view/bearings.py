@@ -18,11 +18,11 @@ from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
 from nonhertz.findings import sentences
 from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
+from nonhertz.show.key_numbers import bearing_numbers
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import collect_findings
 from nonhertz.web.view.answers import relief_of
-from nonhertz.web.view.replies import verdict_seen
-from nonhertz.web.view.tiles import bearing_tiles
+from nonhertz.web.view.replies import number_seen, verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "ok": True,
         "title": case.title,
         "method": solution.method,
-        "numbers": bearing_tiles(case, solution, life),
+        "numbers": [*map(number_seen, bearing_numbers(case, solution, life))],
         "rows": _rows(solution),
         "profiles": {part: relief_of(getattr(solution.bearing.rows[0].bearing, part)) for part in PARTS},
         "angle": plain(solution.angle),

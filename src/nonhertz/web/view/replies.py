@@ -13,6 +13,8 @@ import numpy as np
 from starlette.responses import Response
 
 from nonhertz.errors import CaseError, ConvergenceError, InputError
+from nonhertz.files.results import plain
+from nonhertz.show.key_numbers import KeyNumber
 from nonhertz.verdict import Verdict
 
 First = TypeVar("First")
@@ -84,6 +86,13 @@ def verdict_seen(found: Verdict | None) -> dict[str, str] | None:
         "words": found.words,
         "sentence": found.sentence,
     }
+
+
+def number_seen(number: KeyNumber) -> dict[str, Any]:
+    """Return what a page shows of a key number: as it is read, and in its own unit for differences."""
+    value, unit = number.shown
+    shown = {"name": number.name, "value": value, "unit": unit, "where": number.where}
+    return shown | {"number": plain(number.amount.values[0]), "under": number.under}
 
 
 def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:

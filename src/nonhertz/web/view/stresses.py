@@ -13,13 +13,13 @@ from nonhertz.errors import InputError
 from nonhertz.figures.stress import across_contact, along_contact
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solution
+from nonhertz.show.key_numbers import stress_number
 from nonhertz.strength import assess
 from nonhertz.subsurface import Extreme, Field, axial_plane, cross_section
 from nonhertz.subsurface.evaluation import DEEPEST, WIDEST, across_at, axial_range
 from nonhertz.subsurface.inside import Inside
 from nonhertz.verdict import judge_contact
-from nonhertz.web.view.replies import verdict_seen
-from nonhertz.web.view.tiles import stress_tile
+from nonhertz.web.view.replies import number_seen, verdict_seen
 
 Array = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         with ThreadPoolExecutor(1) as beside:
             axial = beside.submit(_axial, solution, body)
             section, largest = _section(solution, solution.max_pressure_y, body)
-            shown = stress_tile(body, largest, searched=False)
+            shown = number_seen(stress_number(body, largest, searched=False))
             return {"planes": _planes(solution, axial.result(), section, largest), "stress": shown}
     except (InputError, ArithmeticError):
         return {"stress_note": _NO_NUMBERS}
@@ -86,7 +86,7 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
     if not np.isfinite(worst.max):
         return {"checks": []}
     checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
-    shown = stress_tile(body, worst, searched=True)
+    shown = number_seen(stress_number(body, worst, searched=True))
     verdict = verdict_seen(judge_contact(solution, (found,)))
     return {"checks": checks, "stress": shown, "planes": planes, "verdict": verdict}
 

@@ -1,9 +1,9 @@
-"""The numbers on top of a page, as they are read: name, number, unit, and where or how it is found."""
+"""The numbers that are looked for first, on top of a page or a report."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,33 +26,40 @@ from nonhertz.show.bearing import most_loaded
 from nonhertz.study.quantities import LIFE_MODEL, life_of
 from nonhertz.subsurface import Extreme
 
-Tile = dict[str, Any]
 
+@dataclass(frozen=True)
+class KeyNumber:
+    """A number that is looked for first.
 
-def tile(name: str, shown: Amount, where: str = "", spec: str = "4", under: float | None = None) -> Tile:
-    """Return a number as it is shown.
-
-    Parameters
+    Attributes
     ----------
     name : str
         What it is.
-    shown : Amount
-        One value, which is sent in its own unit as well, for differences.
+    amount : Amount
+        One value.
     where : str
-        What stands below it.
+        Where or how it is found.
     spec : str
         Its digits, as an `Amount` takes them.
     under : float or None
         The load without which it compares with no other.
     """
-    number = plain(shown.values[0])
-    ([value], unit) = shown.apart(spec)
-    read = ("–", "") if number is None else (value, unit)
-    return {"name": name, "value": read[0], "unit": read[1], "where": where, "number": number, "under": under}
+
+    name: str
+    amount: Amount
+    where: str = ""
+    spec: str = "4"
+    under: float | None = None
+
+    @property
+    def shown(self) -> tuple[str, str]:
+        """Number and unit as they are read; a dash if there is no number."""
+        ([value], unit) = self.amount.apart(self.spec)
+        return (value, unit) if math.isfinite(self.amount.values[0]) else ("–", "")
 
 
-def contact_tiles(case: Case, solution: Solution, *, rated: bool) -> list[Tile]:
-    """Return the numbers of a contact; its life if that is rated, which takes half a millisecond."""
+def contact_numbers(case: Case, solution: Solution, complaint: str) -> list[KeyNumber]:
+    """Return the numbers of a contact, with its life unless there is a complaint that it is not solved."""
     names = ("max_pressure", "approach", "penetration", "load", "tilt", "moment", "max_half_width")
     pressure, approach, penetration, load, tilt, moment, half_width = (
         QUANTITIES[name].amount(float(QUANTITIES[name].clean(solution))) for name in names
@@ -62,21 +69,21 @@ def contact_tiles(case: Case, solution: Solution, *, rated: bool) -> list[Tile]:
         tilted += f", {penetration:4} after first touch"
     away = "largest, away from singular ends" if unlimited_ends(solution) else "largest"
     return [
-        tile("Largest pressure", pressure, where_largest(solution, 3)),
-        tile("Approach", approach, tilted),
-        tile("Load", load, f"moment {moment:3}"),
-        tile("Half-width", half_width, away),
-        *(_life(case, solution) if rated else ()),
+        KeyNumber("Largest pressure", pressure, where_largest(solution, 3)),
+        KeyNumber("Approach", approach, tilted),
+        KeyNumber("Load", load, f"moment {moment:3}"),
+        KeyNumber("Half-width", half_width, away),
+        *([] if complaint else _life(case, solution)),
     ]
 
 
-def _life(case: Case, solution: Solution) -> list[Tile]:
+def _life(case: Case, solution: Solution) -> list[KeyNumber]:
     """Return how long a contact lasts under its load by laminae, of the body that has a raceway, else of body a.
 
     In revolutions where there is a rating, else over that of an even pressure under the same load, which rises where
     the load does. There is none but of the parts of a rolling bearing.
     """
-    if not of_rolling_bearing(case.contact):
+    if not (of_rolling_bearing(case.contact) and solution.contact_y):
         return []
     try:
         life = life_of(case, solution, LIFE_MODEL)
@@ -86,18 +93,18 @@ def _life(case: Case, solution: Solution) -> list[Tile]:
     left_out = "" if set(life.warnings) <= set(solution.warnings) else ", sharp ends not counted"
     model = f"ISO/TS 16281, body {life.body}{left_out}"
     if life.million_revolutions is not None:
-        return [tile("Life", amount(life.million_revolutions, "10⁶ rev."), f"L₁₀, {model}")]
-    return [tile("Life", amount(life.relative_life, "× ideal profile"), model, "3", under=solution.load)]
+        return [KeyNumber("Life", amount(life.million_revolutions, "10⁶ rev."), f"L₁₀, {model}")]
+    return [KeyNumber("Life", amount(life.relative_life, "× ideal profile"), model, "3", under=solution.load)]
 
 
-def stress_tile(body: str, largest: Extreme, *, searched: bool) -> Tile:
+def stress_number(body: str, largest: Extreme, *, searched: bool) -> KeyNumber:
     """Return the largest von Mises stress of a body, of all of it or of the plane below the largest pressure alone."""
     bore = "at the bore, " if largest.at_bore else ""
     place = f"{bore}y = {mm(largest.y):3}, {mm(largest.z):3} deep" if searched else "below the largest pressure"
-    return tile("von Mises stress", mpa(largest.max), f"body {body}, {place}")
+    return KeyNumber("von Mises stress", mpa(largest.max), f"body {body}, {place}")
 
 
-def bearing_tiles(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> list[Tile]:
+def bearing_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> list[KeyNumber]:
     """Return the numbers of a loaded bearing; without a pressure by slices."""
     most = most_loaded(solution)
     load = float(solution.load[most].max())
@@ -109,39 +116,39 @@ def bearing_tiles(case: BearingCase, solution: BearingSolution, life: BearingLif
     return [
         _pressure(solution),
         *(() if life is None else _ratings(case, life, solution.method)),
-        *(() if clearance is None else (tile("Clearance in operation", um(clearance.clearance), "radial"),)),
-        tile("Largest roller load", newton(load), angle, "4g"),
-        tile("Loaded rollers", loaded, spec="4g"),
-        tile("Displacement", um(math.hypot(*across)), moved),
+        *(() if clearance is None else (KeyNumber("Clearance in operation", um(clearance.clearance), "radial"),)),
+        KeyNumber("Largest roller load", newton(load), angle, "4g"),
+        KeyNumber("Loaded rollers", loaded, spec="4g"),
+        KeyNumber("Displacement", um(math.hypot(*across)), moved),
     ]
 
 
-def _pressure(solution: BearingSolution) -> Tile:
+def _pressure(solution: BearingSolution) -> KeyNumber:
     if solution.method == "slices" or not solution.load.any():
-        return tile("Largest pressure", mpa(math.nan), "by strips only" if solution.method == "slices" else "")
+        return KeyNumber("Largest pressure", mpa(math.nan), "by strips only" if solution.method == "slices" else "")
     roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
     where = f"roller {roller + 1}, {RINGS[ring]} ring"
-    return tile("Largest pressure", mpa(float(solution.max_pressure[roller, ring])), where)
+    return KeyNumber("Largest pressure", mpa(float(solution.max_pressure[roller, ring])), where)
 
 
-def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[Tile]:
+def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[KeyNumber]:
     """Return life, in hours where the speed is known, static safety, and the viscosity ratio with the cleanliness."""
     kappa = life.viscosity_ratio
     # That the cleanliness is missing is said beside the viscosity ratio.
     how = life.no_modified if life.no_modified and kappa is None else f"by {method}"
     revolutions, name = life.rated_life, "Rated life" if life.no_modified else "Modified life"
-    shown = tile(name, amount(revolutions, "10⁶ rev"), how, "3")
+    shown = KeyNumber(name, amount(revolutions, "10⁶ rev"), how, "3")
     if life.speed:
-        shown = tile(name, amount(life.rated_hours, "hours"), f"{format_digits(revolutions, 3)} 10⁶ rev, {how}")
+        shown = KeyNumber(name, amount(life.rated_hours, "hours"), f"{format_digits(revolutions, 3)} 10⁶ rev, {how}")
     clean = "cleanliness not given"
     if life.contamination is not None:
         clean = f"cleanliness e_C = {format_digits(life.contamination, 3)}"
     return [
         shown,
         *(
-            [tile("Static safety", amount(life.static_safety, "S₀"), "C₀ / P₀", "3")]
+            [KeyNumber("Static safety", amount(life.static_safety, "S₀"), "C₀ / P₀", "3")]
             if plain(life.static_safety)
             else []
         ),
-        *([] if kappa is None else [tile("Viscosity ratio", amount(kappa, "κ"), clean, "3")]),
+        *([] if kappa is None else [KeyNumber("Viscosity ratio", amount(kappa, "κ"), clean, "3")]),
     ]
