@@ -66,7 +66,7 @@ def test_curves_that_are_superseded_keep_no_answer_waiting(desk):
     desk.page.on("response", lambda response: statuses.append(response.status))
     desk.page.locator("#curve-on").check()
     desk.page.locator("#curve-path").select_option("load.tilt")
-    desk.page.locator('#case summary:text-is("Solution")').click()
+    desk.page.locator('#case summary:text-is("Solver")').click()
     desk.write("solver.strips", "300")
     for load in range(21, 27):
         desk.write("load.load", f"{load} kN")

@@ -10,8 +10,8 @@ import { showMistakes } from "./mistakes.js";
 import { drawPanels } from "./panel.js";
 import { html, render } from "./preact.js";
 import { Polar } from "./polar.js";
-import { entitle, outdate, sayLater, sayMistakes, spoken, writeKeyNumbers, writeRows, writeVerdict } from "./results.js";
-import { notice, timed } from "./status.js";
+import { Columns, cells, outdate, refuse, writeKeyNumbers, writeWords } from "./results.js";
+import { notice, sayState, timed } from "./status.js";
 import { Work } from "./work.js";
 
 const REST = 250; // ms without a change before strips are asked for
@@ -47,13 +47,12 @@ const live = new Live({
   together: false,
   rest: REST,
   held: () => work.edits.dragging || performance.now() - page.moved < HELD,
-  counted: `${SLICED}; strips are being solved`,
+  counted: `${SLICED}, strips are being solved`,
   answered(answer, { document, since }) {
     const begun = performance.now();
     page.fresh = false;
-    showMistakes(answer.ok ? [] : answer.mistakes);
     if (answer.ok) show(answer, document);
-    else refuse(answer);
+    else refuse(Boolean(page.answer), answer.mistakes);
     timed(since, begun, () => saySlices(answer));
   },
   more(answer, { document }) {
@@ -62,16 +61,15 @@ const live = new Live({
       page.pressedOf = document;
       page.fresh = true;
       show(answer, document);
-      byId("state").textContent = "solved by strips";
-      byId("round-trip").textContent = "";
+      sayState("solved by strips");
     } else {
       showMistakes(answer.mistakes);
-      stay("strips gave no answer");
+      stay("No result by strips");
     }
     root.dataset.state = "settled";
   },
   waiting(more) {
-    if (more) byId("round-trip").textContent = "; strips are being solved …";
+    if (more) sayState(`${SLICED}, strips are being solved …`);
     else root.dataset.state = "solving";
   },
   rested() {
@@ -79,40 +77,29 @@ const live = new Live({
   },
   gaveUp(sentence, more) {
     if (more) stay(sentence);
-    else refuse({ mistakes: [{ sentence }] });
+    else outdate(Boolean(page.answer), sentence);
     root.dataset.state = "settled";
   },
 });
 
 /** Stay with slices. @param {string} why */
 function stay(why) {
-  byId("state").textContent = `${SLICED}. ${why}`;
-  byId("round-trip").textContent = "";
+  sayState(`${SLICED}. ${why}`);
 }
 
 function show(answer, shown) {
   page.answer = answer;
   page.document = shown;
-  byId("results").classList.remove("outdated", "empty");
-  entitle(answer.title);
-  writeVerdict((pressedBefore() ?? answer).verdict, Boolean(pressedBefore()));
-  writeRows(answer.summary, answer.warnings);
+  showMistakes([]);
+  writeWords(answer, pressedBefore());
   writeTolerances(answer);
   work.drawProfiles(answer.profiles);
   drawPictures();
-  sayLater(`By ${answer.method}: ${spoken(answer.numbers)}`);
-}
-
-function refuse({ mistakes }) {
-  outdate(Boolean(page.answer));
-  sayMistakes(mistakes);
 }
 
 function saySlices(answer) {
-  if (!answer.ok) return;
-  if (page.fresh) return; // strips are there already
-  byId("state").textContent = SLICED;
-  byId("round-trip").textContent = answer.file_method === "strips" ? "; strips follow when the slider rests" : "";
+  if (!answer.ok || page.fresh) return; // fresh: strips have answered already
+  sayState(SLICED + (answer.file_method === "strips" ? ", strips follow when the slider rests" : ""));
 }
 
 /** The roller whose lines are drawn. */
@@ -210,24 +197,17 @@ function keyNumbers({ numbers: [pressure, ...others] }, before) {
 function writeTolerances({ tolerances }) {
   const section = byId("tolerances");
   section.hidden = !tolerances;
-  const cells = (row, kind) => row.map((text) => (kind ? html`<th scope="col">${text}</th>` : html`<td>${text}</td>`));
-  render(
-    html`<thead><tr>${cells(tolerances?.columns ?? [], "th")}</tr></thead>
-      <tbody>${(tolerances?.rows ?? []).map((row) => html`<tr>${cells(row)}</tr>`)}</tbody>`,
-    section.querySelector("table"),
-  );
+  const { columns, rows } = tolerances ?? { columns: [], rows: [] };
+  const lines = rows.map((row) => html`<tr>${cells(row)}</tr>`);
+  render(html`<${Columns} heads=${columns}>${lines}<//>`, section.querySelector("table"));
 }
 
 function writeRollers({ columns, rollers }, number) {
-  const shown = columns.map((_, place) => place).filter((place) => rollers.some((row) => row[place] !== ""));
+  const shown = d3.range(columns.length).filter((place) => rollers.some((row) => row[place] !== ""));
   const line = (row, place) =>
     html`<tr class=${place === number ? "chosen" : ""} data-roller-row=${place} onClick=${() => choose(place)}>
-      ${shown.map((column) => html`<td>${row[column]}</td>`)}</tr>`;
-  render(
-    html`<thead><tr>${shown.map((column) => html`<th scope="col">${columns[column]}</th>`)}</tr></thead>
-      <tbody>${rollers.map(line)}</tbody>`,
-    byId("rollers"),
-  );
+      ${cells(d3.permute(row, shown))}</tr>`;
+  render(html`<${Columns} heads=${d3.permute(columns, shown)}>${rollers.map(line)}<//>`, byId("rollers"));
 }
 
 const polar = new Polar(byId("polar"), choose);

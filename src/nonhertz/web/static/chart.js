@@ -1,6 +1,6 @@
 // What all figures share: margins, axes, common marks, and text alternatives.
 
-import { element } from "./elements.js";
+import { html, render } from "./preact.js";
 import { save } from "./save.js";
 import { named, scaled } from "./units.js";
 
@@ -82,29 +82,16 @@ export function draw(host, options, words) {
  */
 export function head(host, heading, key, remark = "") {
   const caption = /** @type {HTMLElement} */ (host.querySelector("figcaption"));
-  const text = `${heading}|${key.join()}|${remark}`;
-  if (caption.dataset.text === text) return;
-  caption.dataset.text = text;
-  const entries = key.map(([style, words]) =>
-    element("span", { class: "entry" }, [element("span", { class: `swatch ${style}` }), words]),
-  );
-  caption.replaceChildren(
-    element("span", { class: "heading" }, [heading]),
-    ...entries,
-    ...(remark ? [element("span", { class: "remark" }, [remark])] : []),
-    caption.querySelector(".savers") ?? saversOf(host),
-  );
-}
-
-/** Buttons that save a figure. @param {HTMLElement} host */
-function saversOf(host) {
   const kinds = /** @type {("svg" | "png" | "csv")[]} */ (["svg", "png", "csv"]);
-  const buttons = kinds.map((kind) =>
-    element("button", { type: "button", "aria-label": `Save as ${kind.toUpperCase()}`, click: () => void save(host, kind) }, [
-      kind.toUpperCase(),
-    ]),
+  const saver = (kind) => html`<button type="button" aria-label="Save as ${kind.toUpperCase()}"
+    onClick=${() => void save(host, kind)}>${kind.toUpperCase()}</button>`;
+  render(
+    html`<span class="heading">${heading}</span>
+      ${key.map(([style, words]) => html`<span class="entry"><span class="swatch ${style}"></span>${words}</span>`)}
+      ${remark && html`<span class="remark">${remark}</span>`}
+      <span class="savers">${kinds.map(saver)}</span>`,
+    caption,
   );
-  return element("span", { class: "savers" }, buttons);
 }
 
 /**

@@ -4,12 +4,13 @@
 // The curve belongs to the case without the field that is varied: while its slider is dragged only the mark moves.
 
 import { extent } from "./chart.js";
-import { byId, element } from "./elements.js";
-import { ends, factorOf, isLogarithmic, nameOf, unitOf, valueOf } from "./fields.js";
-import { AWAY, post } from "./live.js";
+import { byId } from "./elements.js";
+import { slid } from "./fields.js";
+import { AGAIN, asked } from "./live.js";
 import { digits, rounded } from "./numbers.js";
 import { drawPanels } from "./panel.js";
 import { withValue } from "./paths.js";
+import { html, render } from "./preact.js";
 import { amount, read } from "./units.js";
 
 const POINTS = 33; // a power of two and one
@@ -17,241 +18,238 @@ const AT_ONCE = 4; // points of a request
 const AROUND = 2; // a slider of ratios is varied from its value divided by this to its value times this
 const SHARE = 0.1; // of its range, by which any other slider is varied to either side
 
-/** @typedef {import("./fields.js").Control} Control */
+/** @typedef {import("./fields.js").Slid} Slid */
 /** @typedef {{name: string, label: string, unit: string, factor: number}} Quantity */
 /** @typedef {{value: number, numbers?: (number | null)[], sentence?: string}} Point */
-/** @typedef {{path: string, label: string, control: Control, slider: HTMLInputElement}} Choice */
 
 export class Curve {
   /** @param {HTMLElement} form */
   constructor(form) {
     this.form = form;
-    /** @type {Choice[]} */
-    this.choices = [];
+    this.host = byId("curve");
+    this.shown = false;
     this.path = "";
+    this.ends = ["", ""]; // as they are written
     this.drawnFor = "";
     /** @type {Map<number, Point>} */
     this.points = new Map();
     /** @type {Quantity[]} */
     this.quantities = [];
+    this.name = ""; // of the quantity that is drawn
+    this.note = "";
     /** @type {any} */
     this.document = null;
     /** @type {any} */
     this.key = null;
     /** @type {AbortController | null} */
     this.asking = null;
-    form.addEventListener("input", ({ target }) => {
-      if (target instanceof HTMLInputElement && target.type === "range") this.follow(target);
-      if (target instanceof HTMLSelectElement && target.dataset.unitOf === this.chosen()?.control.id)
-        this.choose(this.path);
-    });
-    byId("curve-on").addEventListener("change", () => this.toggled());
-    byId("curve-path").addEventListener("change", ({ target }) => this.choose(target.value));
-    for (const end of ["curve-low", "curve-high"]) byId(end).addEventListener("change", () => this.rested());
-    byId("curve-quantity").addEventListener("change", () => this.draw());
+    form.addEventListener("input", ({ target }) => this.follow(/** @type {HTMLElement} */ (target)));
+    this.draw();
   }
 
-  get shown() {
-    return byId("curve-on").checked;
+  /** The fields with sliders that the form has now. @returns {Slid[]} */
+  fields() {
+    const sliders = [...this.form.querySelectorAll(".slider")].map((slider) => slid.get(slider));
+    return /** @type {Slid[]} */ (sliders.filter((field) => field && Number.isFinite(field.value)));
   }
 
-  /** Offer the sliders that the form has now. */
+  field() {
+    return this.fields().find(({ path }) => path === this.path);
+  }
+
+  /** Offer the fields that the form has now. */
   offer() {
-    const sliders = /** @type {NodeListOf<HTMLInputElement>} */ (this.form.querySelectorAll('input[type="range"]'));
-    this.choices = [...sliders].flatMap((slider) => {
-      const control = /** @type {Control | null} */ (document.getElementById(slider.dataset.for ?? ""));
-      return control && Number.isFinite(valueOf(slider, control))
-        ? [{ path: control.name, label: nameOf(control), control, slider }]
-        : [];
-    });
-    const known = this.choices.some(({ path }) => path === this.path);
-    const options = this.choices.map(({ path, label }) => element("option", { value: path }, [label]));
-    byId("curve-path").replaceChildren(...options);
-    if (known) byId("curve-path").value = this.path;
-    else if (this.choices.length) this.choose(this.first());
+    const paths = this.fields().map(({ path }) => path);
+    if (paths.includes(this.path) || !paths.length) this.draw();
+    else this.choose(paths.includes("load.load") ? "load.load" : paths[0]);
   }
 
-  /** The load to begin with, if there is one. */
-  first() {
-    return this.choices.find(({ path }) => path === "load.load")?.path ?? this.choices[0].path;
-  }
-
-  /** Vary what is being dragged. @param {HTMLInputElement} slider */
-  follow(slider) {
-    const path = /** @type {Control} */ (document.getElementById(slider.dataset.for ?? "")).name;
-    if (!this.choices.some((choice) => choice.path === path)) this.offer();
-    if (path !== this.path && this.choices.some((choice) => choice.path === path)) this.choose(path);
+  /** Vary what is being dragged, or read it in another unit. @param {HTMLElement} target */
+  follow(target) {
+    const path = /** @type {HTMLElement | null} */ (target.closest(".field"))?.dataset.path ?? "";
+    if (target.matches(".slider") ? path !== this.path : target.matches("select.unit") && path === this.path)
+      this.choose(path);
   }
 
   /** Vary another field, around the value that it has. @param {string} path */
   choose(path) {
+    const field = this.fields().find((each) => each.path === path);
+    if (!field) return;
     this.path = path;
-    byId("curve-path").value = path;
-    const choice = this.chosen();
-    if (!choice) return;
-    const { slider, control } = choice;
-    const [least, most] = ends(slider);
-    const value = Math.min(Math.max(valueOf(slider, control), least), most);
-    const wide = SHARE * (most - least);
-    const around = isLogarithmic(slider) ? [value / AROUND, value * AROUND] : [value - wide, value + wide];
-    const [low, high] = [Math.min(...around), Math.max(...around)].map((end) => Math.min(Math.max(end, least), most));
-    const factor = factorOf(choice.control);
-    byId("curve-low").value = rounded(low / factor, (high - low) / 100 / factor);
-    byId("curve-high").value = rounded(high / factor, (high - low) / 100 / factor);
-    byId("curve-unit").textContent = unitOf(choice.control);
+    const [least, most] = d3.extent([field.span.low, field.span.high]);
+    const within = (end) => Math.min(Math.max(end, least), most);
+    const [value, wide] = [within(field.value), SHARE * (most - least)];
+    const around = isLogarithmic(field) ? [value / AROUND, value * AROUND] : [value - wide, value + wide];
+    const [low, high] = d3.extent(around).map(within);
+    this.ends = [low, high].map((end) => rounded(end / field.factor, (high - low) / 100 / field.factor));
     this.rested();
   }
 
-  chosen() {
-    return this.choices.find(({ path }) => path === this.path) ?? null;
-  }
-
-  toggled() {
-    byId("curve-choices").hidden = byId("curve-figures").hidden = !this.shown;
-    byId("curve-note").textContent = "";
-    if (this.shown) this.rested();
+  /** @param {boolean} shown */
+  toggle(shown) {
+    this.shown = shown;
+    this.note = "";
+    if (shown) this.rested();
     else this.forget();
+    this.draw();
   }
 
   /** Note the case that is shown now, and where it is on the curve. @param {any} document @param {any} key */
   at(document, key) {
     this.document = document;
     this.key = key;
-    if (this.shown && this.drawnFor === this.name()) this.draw();
+    if (this.shown && this.drawnFor === this.stands()) this.draw();
   }
 
   /** What the curve stands for: the case without the value that is varied, and the range. */
-  name() {
-    const rest = this.document && withValue(this.document, this.path, undefined);
-    return JSON.stringify([this.path, byId("curve-low").value, byId("curve-high").value, rest]);
+  stands() {
+    return JSON.stringify([this.path, this.ends, this.document && withValue(this.document, this.path, undefined)]);
   }
 
   /** Work the curve out anew if it stands for another case. */
   rested() {
-    if (!this.shown || !this.document || !this.chosen()) return;
-    const name = this.name();
-    if (name !== this.drawnFor) void this.run(name);
+    if (this.shown && this.document && this.field() && this.stands() !== this.drawnFor) void this.run();
     else this.draw();
   }
 
   /** Results and fields are read in other units from now on. */
   reread() {
     this.forget();
-    if (this.chosen()) this.choose(this.path);
+    this.choose(this.path);
   }
 
   forget() {
     this.asking?.abort();
     this.asking = null;
     this.drawnFor = "";
-    byId("curve").dataset.state = "idle";
+    this.host.dataset.state = "idle";
   }
 
-  /** @param {string} name */
-  async run(name) {
+  async run() {
     this.forget();
     const values = this.values();
     if (!values) {
-      byId("curve-note").textContent = "Give two different numbers as ends, of one sign for a slider of ratios.";
+      this.note = "The ends must be two different numbers, of the same sign where the slider is logarithmic.";
+      this.draw();
       return;
     }
     const stop = new AbortController();
     this.asking = stop;
-    this.drawnFor = name;
+    this.drawnFor = this.stands();
     this.points = new Map();
-    byId("curve").dataset.state = "working";
-    const [document, path, left] = [this.document, this.path, [...values]];
-    while (left.length) {
-      const answer = await this.ask({ document, path, values: left.slice(0, AT_ONCE) }, stop);
-      if (stop.signal.aborted || !answer) return;
+    this.host.dataset.state = "working";
+    this.draw();
+    const { document, path } = this;
+    while (values.length) {
+      const answer = await asked("curve", { document, path, values: values.slice(0, AT_ONCE) }, stop.signal);
+      if (stop.signal.aborted) return;
+      if (!answer) {
+        await new Promise((again) => window.setTimeout(again, AGAIN));
+        continue;
+      }
       if (!answer.ok) {
-        byId("curve-note").textContent = answer.mistakes[0].sentence;
-        byId("curve").dataset.state = "done";
-        return;
+        this.note = answer.mistakes[0].sentence;
+        break;
       }
       for (const point of answer.points) this.points.set(point.value, point);
-      left.splice(0, answer.points.length);
-      this.nameQuantities(answer.quantities);
+      values.splice(0, answer.points.length);
+      this.quantities = answer.quantities;
+      if (!this.quantities.some(({ name }) => name === this.name)) this.name = this.quantities[0].name;
+      const failed = this.along().filter(({ sentence }) => sentence);
+      this.note = failed.length ? this.failure(failed) : "";
       this.draw();
     }
-    byId("curve").dataset.state = "done";
-  }
-
-  /** @param {{document: object, path: string, values: number[]}} wanted @param {AbortController} stop */
-  async ask(wanted, stop) {
-    try {
-      return await (await post("curve", wanted, stop.signal)).json();
-    } catch {
-      if (!stop.signal.aborted) byId("curve-note").textContent = AWAY;
-      return null;
-    }
+    this.host.dataset.state = "done";
+    this.draw();
   }
 
   /** The values of the points in the order in which they are asked for; null if the ends are no numbers. */
   values() {
-    const choice = /** @type {Choice} */ (this.chosen());
-    const factor = factorOf(choice.control);
-    const [low, high] = ["curve-low", "curve-high"].map((end) => factor * Number(byId(end).value || NaN));
-    const ratios = isLogarithmic(choice.slider);
+    const field = /** @type {Slid} */ (this.field());
+    const [low, high] = this.ends.map((end) => field.factor * Number(end || NaN));
+    const ratios = isLogarithmic(field);
     if (!Number.isFinite(low) || !Number.isFinite(high) || low === high || (ratios && !(low / high > 0))) return null;
     const value = (share) => (ratios ? low * (high / low) ** share : low + (high - low) * share);
     return inwards(POINTS).map((share) => Number(value(share).toPrecision(12)));
   }
 
-  /** Offer what there is to draw, keeping the choice. @param {Quantity[]} quantities */
-  nameQuantities(quantities) {
-    if (JSON.stringify(quantities) === JSON.stringify(this.quantities)) return;
-    this.quantities = quantities;
-    const choice = byId("curve-quantity");
-    const before = choice.value;
-    choice.replaceChildren(...quantities.map(({ name, label }) => element("option", { value: name }, [label])));
-    if (quantities.some(({ name }) => name === before)) choice.value = before;
+  along() {
+    return [...this.points.values()].sort((one, other) => one.value - other.value);
+  }
+
+  /** @param {Point[]} failed */
+  failure([first, ...others]) {
+    const { factor, unit } = /** @type {Slid} */ (this.field());
+    const where = `${digits(first.value / factor)} ${unit}: ${first.sentence}`;
+    return `${others.length + 1} of ${this.points.size} values have no solution, the first at ${where}`;
   }
 
   draw() {
-    const choice = this.chosen();
-    const number = this.quantities.findIndex(({ name }) => name === byId("curve-quantity").value);
-    if (!choice || number < 0 || byId("curve-figures").hidden) return;
-    const factor = factorOf(choice.control);
-    const along = [...this.points.values()].sort((one, other) => one.value - other.value);
-    const x = along.map(({ value }) => value / factor);
+    render(html`<${Choices} curve=${this} />`, this.host);
+    const [field, number] = [this.field(), this.quantities.findIndex(({ name }) => name === this.name)];
+    if (!field || number < 0 || !this.points.size) return;
+    if (!this.shown || this.stands() !== this.drawnFor) return; // ends are being written
+    const [quantity, along] = [this.quantities[number], this.along()];
+    const x = along.map(({ value }) => value / field.factor);
     const y = along.map(({ numbers }) => numbers?.[number] ?? null);
-    const failed = along.filter(({ sentence }) => sentence);
-    const first = failed[0] && `${digits(failed[0].value / factor)} ${unitOf(choice.control)}: ${failed[0].sentence}`;
-    byId("curve-note").textContent = first
-      ? `${failed.length} of ${along.length} values have no solution, the first at ${first}`
-      : "";
-    const quantity = this.quantities[number];
-    const [unit, upright] = [unitOf(choice.control), read(quantity.unit)];
-    const label = capital(quantity.label);
-    const range = /** @type {[number, number]} */ (d3.nice(...extent(y), 5));
+    const [over, unit, upright] = [field.label(), field.unit, read(quantity.unit)];
+    const [label, range] = [capital(quantity.label), d3.nice(...extent(y), 5)];
     const panel = {
       name: "curve",
-      heading: `${label} over ${choice.label}`,
+      heading: `${label} over ${over}`,
       upright: { label, symbol: label, title: label, unit: upright[0], factor: upright[1], range },
-      marks: [{ kind: "line", x, y }, { kind: "points", x, y, symbol: "dot" }, ...this.mark(choice, quantity, factor)],
-      description: words(quantity, choice, x, y),
+      marks: [{ kind: "line", x, y }, { kind: "points", x, y, symbol: "dot" }, ...this.mark(field, quantity)],
+      description: words(quantity, field, x, y),
     };
-    const title = unit ? `${choice.label} [${unit}]` : choice.label;
-    const axis = { label: choice.label, symbol: choice.label, title, unit, factor: 1, range: this.range(), logarithmic: isLogarithmic(choice.slider) };
-    drawPanels({ along: axis, panels: [panel] }, undefined, { last: "curve" });
+    const axis = { label: over, symbol: over, title: unit ? `${over} [${unit}]` : over, unit, factor: 1 };
+    const scale = { range: this.range(), logarithmic: isLogarithmic(field) };
+    drawPanels({ along: { ...axis, ...scale }, panels: [panel] }, undefined, { last: "curve" });
   }
 
-  /** What the fields say of where the curve begins and ends. @returns {[number, number]} */
+  /** Where the curve begins and ends, in the unit of the field. @returns {[number, number]} */
   range() {
-    const [low, high] = ["curve-low", "curve-high"].map((end) => Number(byId(end).value));
-    return low < high ? [low, high] : [high, low];
+    return d3.extent(this.ends.map(Number));
   }
 
-  /** The case that is shown. */
-  mark(choice, quantity, factor) {
-    const [value, number] = [valueOf(choice.slider, choice.control) / factor, this.key?.[quantity.name]];
+  /** The case that is shown. @param {Slid} field @param {Quantity} quantity */
+  mark(field, quantity) {
+    const [value, number] = [field.value / field.factor, this.key?.[quantity.name]];
     const [low, high] = this.range();
     if (!(low <= value && value <= high)) return [];
     const look = { colour: "ink", dash: "dashed" };
     const rule = { kind: "across", x: value, ...look };
     return Number.isFinite(number) ? [rule, { kind: "points", x: [value], y: [quantity.factor * number], ...look }] : [rule];
   }
+}
+
+/** What is varied, from where to where, and which number is drawn. @param {{curve: Curve}} props */
+function Choices({ curve }) {
+  const options = (all) => all.map(([value, label]) => html`<option value=${value}>${label}</option>`);
+  const end = (name, at) => html`<input type="text" id="curve-${name}" size="8" autocomplete="off" spellcheck=${false}
+    value=${curve.ends[at]} onInput=${({ target }) => (curve.ends[at] = target.value)} onChange=${() => curve.rested()} />`;
+  const draw = ({ target }) => {
+    curve.name = target.value;
+    curve.draw();
+  };
+  return html`<div class="stress-head">
+      <h2 id="curve-title">Parameter curve</h2>
+      <label class="check"><input type="checkbox" id="curve-on" checked=${curve.shown}
+        onChange=${({ target }) => curve.toggle(target.checked)} /> shown</label>
+      <span class="curve-choices" id="curve-choices" hidden=${!curve.shown}>
+        <label>over <select id="curve-path" value=${curve.path} onChange=${({ target }) => curve.choose(target.value)}>
+          ${options(curve.fields().map(({ path, label }) => [path, label()]))}</select></label>
+        <label>from ${end("low", 0)}</label> <label>to ${end("high", 1)}</label>
+        <span class="unit">${curve.field()?.unit}</span>
+        <label>of <select id="curve-quantity" value=${curve.name} onChange=${draw}>
+          ${options(curve.quantities.map(({ name, label }) => [name, label]))}</select></label></span></div>
+    <p class="hint" id="curve-note" role="status">${curve.note}</p>
+    <div class="figures" hidden=${!curve.shown}>
+      <figure data-figure="curve"><figcaption></figcaption><div class="drawing"></div></figure></div>`;
+}
+
+/** Whether a slider's steps are ratios. @param {Slid} field */
+function isLogarithmic({ span }) {
+  return span.scale === "log";
 }
 
 /** Shares from 0 to 1, each half-way between those before it. @param {number} count */
@@ -267,11 +265,11 @@ function capital(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** @param {Quantity} quantity @param {Choice} choice @param {number[]} x @param {(number | null)[]} y */
-function words(quantity, choice, x, y) {
+/** @param {Quantity} quantity @param {Slid} field @param {number[]} x @param {(number | null)[]} y */
+function words(quantity, field, x, y) {
   const solved = y.flatMap((value, place) => (value === null ? [] : [{ value, at: x[place] }]));
-  if (!solved.length) return `${capital(quantity.label)} over ${choice.label}: no value has a solution.`;
-  const told = (each) => `${amount(each.value, quantity.unit)} at ${digits(each.at)} ${unitOf(choice.control)}`;
+  if (!solved.length) return `${capital(quantity.label)} over ${field.label()}: no value has a solution.`;
+  const told = (each) => `${amount(each.value, quantity.unit)} at ${digits(each.at)} ${field.unit}`;
   const sorted = [...solved].sort((one, other) => one.value - other.value);
-  return `${capital(quantity.label)} over ${choice.label}: least ${told(sorted[0])}, largest ${told(sorted[sorted.length - 1])}.`;
+  return `${capital(quantity.label)} over ${field.label()}: least ${told(sorted[0])}, largest ${told(sorted[sorted.length - 1])}.`;
 }

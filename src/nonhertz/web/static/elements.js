@@ -14,24 +14,6 @@ export function byId(id) {
 }
 
 /**
- * Return a new element. Text goes in as text: nothing from files or users is ever parsed as HTML.
- * @param {string} name
- * @param {Record<string, string | boolean | ((event: any) => void)>} attributes a function is an event listener
- * @param {(Node | string)[]} [children]
- * @returns {any}
- */
-export function element(name, attributes, children = []) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (typeof value === "function") made.addEventListener(key, value);
-    else if (typeof value === "boolean") made.toggleAttribute(key, value);
-    else made.setAttribute(key, value);
-  }
-  made.append(...children);
-  return made;
-}
-
-/**
  * Return a new element of a drawing.
  * @param {string} name
  * @param {Record<string, string | number>} attributes

@@ -187,26 +187,13 @@ export function textAt({ low, high, scale }, place, size) {
   return rounded(value / size, step / size);
 }
 
-// What stands beside the control of a field, for whoever draws over its slider.
-
-/** The units to choose from beside a field, if there are any. @param {Control} control */
-function unitsOf(control) {
-  const near = control.closest(".field")?.querySelector("select[data-unit-of]");
-  return near instanceof HTMLSelectElement && near.dataset.unitOf === control.id ? near : null;
-}
-
 /**
- * The value of a field in the unit of its slider, NaN if it is no number in a unit of the field.
- * @param {HTMLInputElement} slider
- * @param {Control} control
+ * What a slider moves: the field, its value in the base unit, NaN without one; the unit beside it and its size.
+ * @typedef {{path: string, label: () => string, value: number, span: Range, unit: string, factor: number}} Slid
  */
-export function valueOf(slider, control) {
-  const written = split(control.value);
-  const text = written ? written.number : control.value.trim();
-  const options = [...(unitsOf(control)?.options ?? [])];
-  const size = written ? options.find(({ value }) => value === written.unit)?.dataset.factor : factorOf(control);
-  return text === "" || !size ? NaN : Number(text) * Number(size);
-}
+
+/** @type {WeakMap<Element, Slid>} by the sliders that are drawn, for whoever draws over them */
+export const slid = new WeakMap();
 
 /** What a field is called, with what it belongs to. @param {Control} control */
 export function nameOf(control) {
@@ -221,20 +208,6 @@ export function nameOf(control) {
 
 /** The unit that a field is in. @param {Control} control */
 export function unitOf(control) {
-  return unitsOf(control)?.selectedOptions[0]?.textContent ?? control.dataset.unit ?? "";
-}
-
-/** The size of that unit in units of the slider. @param {Control} control */
-export function factorOf(control) {
-  return Number(unitsOf(control)?.selectedOptions[0]?.dataset.factor ?? 1) || 1;
-}
-
-/** The ends of a slider, which the program gives in the unit of the quantity. @param {HTMLInputElement} slider */
-export function ends(slider) {
-  return [Number(slider.dataset.min), Number(slider.dataset.max)];
-}
-
-/** Whether a slider's steps are ratios. @param {HTMLInputElement} slider */
-export function isLogarithmic(slider) {
-  return slider.dataset.sliderScale === "log";
+  const chooser = /** @type {HTMLSelectElement | null} */ (control.closest(".field")?.querySelector("select.unit") ?? null);
+  return chooser?.selectedOptions[0]?.textContent ?? control.dataset.unit ?? "";
 }

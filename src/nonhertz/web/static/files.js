@@ -1,6 +1,5 @@
 // Opening files, and saving the files that the program makes.
 
-import { element } from "./elements.js";
 import { post, send } from "./live.js";
 
 /** @typedef {import("./types.js").Mistake} Mistake */
@@ -44,6 +43,6 @@ export async function saved(place, of) {
 /** Let the browser save a file. @param {Blob} content @param {string} name */
 export function hand(content, name) {
   const address = URL.createObjectURL(content);
-  element("a", { href: address, download: name }).click();
+  Object.assign(document.createElement("a"), { href: address, download: name }).click();
   window.setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

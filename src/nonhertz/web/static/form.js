@@ -5,7 +5,8 @@
 // asked of the program when the hand rests.
 
 import { byId } from "./elements.js";
-import { choicesOf, legible, placeOf, rangeFor, said, shownIn, textAt, textOf, valueIn, writtenIn } from "./fields.js";
+import { choicesOf, legible, nameOf, placeOf, rangeFor, said, shownIn } from "./fields.js";
+import { slid, textAt, textOf, valueIn, writtenIn } from "./fields.js";
 import { marked, whenMarked } from "./mistakes.js";
 import { columns, split } from "./numbers.js";
 import { outer, pathOf, valueAt, withValue } from "./paths.js";
@@ -465,7 +466,7 @@ function Group({ place, label = labelOf(place), help, before, quiet, children })
 /** The row of a field: its label, which may be a choice between keys or shapes, and what is in it. */
 function Row({ form, place, label = labelOf(place), swap = [], help = "", removable, style = "", children }) {
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
-  const words = `which of: ${swap.map((each) => each.label).join("; ")}`;
+  const words = `choice: ${swap.map((each) => each.label).join("; ")}`;
   const estimated = form?.isEstimate(path);
   const state = marked.has(path) ? "wrong" : estimated ? "estimated" : "";
   return html`<div class="field ${style} ${state}" data-path=${path}>
@@ -503,7 +504,7 @@ function Value({ form, place, holds, value, usual, label, swap, range = form.ran
     return html`<${Text} ...${{ ...shared, kind, base: unit, words, value, usual, range }} />`;
   const named = kind === "boolean" ? { true: "yes", false: "no" } : {};
   const options = [...new Set([...(kind === "boolean" ? ["true", "false"] : words), ...(text ? [text] : [])])];
-  const left = usual === undefined || usual === "" ? "not given" : `${named[usual] ?? usual} (usual)`;
+  const left = usual === undefined || usual === "" ? "not given" : `${named[usual] ?? usual} (default)`;
   const take = ({ target, timeStamp }) => form.edit(pathOf(place), said(kind, target.value), timeStamp);
   const shown = [["", left], ...options.map((word) => [word, named[word] ?? word])];
   const props = { ...control(place), value: text, options: shown };
@@ -553,11 +554,14 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
   const span = numeric && range && !isWord ? rangeFor(range, base, number) : null;
   if (span && (value === undefined || Number.isFinite(number)))
     last.current = placeOf(span, value === undefined ? span.start : number);
+  const [unit, factor] = [legible(word || base), sizes[word] ?? 1];
+  const note = (slider) =>
+    slider && slid.set(slider, { path, value: number, span, unit, factor, label: () => nameOf(byId(id)) });
   const suggestions = words.map((each) => html`<option value=${each} />`);
   const converted = typeof usual === "number" && usual && units.length;
   const placeholder = converted ? shownIn(usual, base, name, word).text : (usual ?? "");
   const chooser = {
-    ...{ class: "unit", "data-unit-of": id, "aria-label": `unit of ${label}`, value: word, onInput: convert },
+    ...{ class: "unit", "aria-label": `unit of ${label}`, value: word, onInput: convert },
     options: units.map((each) => [each, legible(each), { "data-factor": sizes[each] }]),
   };
   return html`<${Row} ...${{ ...more, form, place, label }}>
@@ -569,8 +573,8 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
     ${units.length < 2 && base && html`<span class="unit">${legible(base)}</span>`}
     ${
       span &&
-      html`<input type="range" class="slider" data-for=${id} min="0" max="1000" step="1" data-min=${span.low}
-      data-max=${span.high} data-slider-scale=${span.scale} aria-label="${label}, slider" value=${last.current}
+      html`<input type="range" class="slider" ref=${note} min="0" max="1000" step="1" aria-label="${label}, slider"
+      value=${last.current}
       aria-valuetext=${text ? `${text} ${split(text) ? "" : legible(word)}`.trim() : "not given"}
       onInput=${({ target, timeStamp }) => take(textAt(span, Number(target.value), sizes[word] ?? 1), timeStamp)} />`
     }<//>`;

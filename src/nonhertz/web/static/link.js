@@ -28,7 +28,7 @@ export async function fragment(document, pinned = [], text = "") {
  * @returns {Promise<Shared | null>}
  */
 export async function shared(hash) {
-  if (hash.length > LONGEST) throw new Error("The link must hold a case of at most 1 MB: copy it again.");
+  if (hash.length > LONGEST) throw new Error("The link is longer than any case of 1 MB: copy it again.");
   const fields = new URLSearchParams(hash.replace(/^#/, ""));
   const document = fields.get("c");
   if (!document) return null;
@@ -50,10 +50,10 @@ async function unpackedCase(text) {
   try {
     value = JSON.parse(await unpacked(text));
   } catch {
-    throw new Error("The link must be complete, and this one was truncated or changed on the way: copy it again.");
+    throw new Error("The link is incomplete or was changed on the way: copy it again.");
   }
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
-    throw new Error("The link must hold a case, and this one holds something else: copy it again.");
+    throw new Error("The link holds no case: copy it again.");
   }
   return value;
 }

@@ -11,7 +11,8 @@ import { unitsCode } from "./units.js";
 const QUICK = 50; // ms from request to drawn; up to this, more comes with every answer and the hand feels no lag
 const PATIENCE = 3; // slow answers in a row, or one three times as slow, after which more is requested separately
 const LONG = 6000; // ms after which an answer is given up for that of a newer document
-const AGAIN = 1500; // ms between attempts to reach the program
+/** ms between attempts to reach the program. */
+export const AGAIN = 1500;
 /** Shown when nothing answers. */
 export const AWAY = "The program behind this page does not answer: check that nonhertz serve is still running.";
 const ATTEMPTS = 4; // while it is busy

@@ -1,8 +1,10 @@
 // Key numbers, warnings and the summary: the text beside the figures.
 
 import { byId } from "./elements.js";
+import { showMistakes } from "./mistakes.js";
 import { difference } from "./numbers.js";
 import { html, render } from "./preact.js";
+import { sayState } from "./status.js";
 import { inFull } from "./units.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -69,9 +71,8 @@ function Pins({ pins, numbers }) {
       <button type="button" aria-label="unpin ${pin.name}" onClick=${pin.remove}>Unpin</button></th>${line(pin)}</tr>`;
   return html`<h2 id="pins-title"><span class="swatch pinned"></span> Pinned, with differences from the first</h2>
     <div class="table" tabindex="0" role="group" aria-labelledby="pins-title"><table>
-      <thead><tr><th scope="col">Name</th>${numbers.map(({ name }) => html`<th scope="col">${name}</th>`)}</tr></thead>
-      <tbody>${pins.map(pinned)}
-        <tr key="now" class="now"><th scope="row">In the form</th>${line({ numbers })}</tr></tbody></table></div>`;
+      <${Columns} heads=${["Name", ...numbers.map(({ name }) => name)]}>${pins.map(pinned)}
+        <tr key="now" class="now"><th scope="row">In the form</th>${line({ numbers })}</tr><//></table></div>`;
 }
 
 /** @param {{numbers: KeyNumber[]}} row @param {KeyNumber} like */
@@ -86,14 +87,34 @@ function change(now, before) {
 }
 
 /**
- * Write warnings and the summary, and announce the result to screen readers.
- * @param {Answer} answer
+ * Write title, verdict, warnings and summary, and announce the result to screen readers.
+ * @param {any} answer
+ * @param {any} [before] the answer before the last change, where the verdict is that of it
  */
-export function writeWords(answer) {
-  writeVerdict(answer.verdict);
-  writeRows(answer.summary, [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings]);
+export function writeWords(answer, before = null) {
+  byId("results").classList.remove("outdated", "empty");
+  entitle(answer.title);
+  writeVerdict((before ?? answer).verdict, Boolean(before));
+  const warnings = [...(answer.complaint ? [answer.complaint] : []), ...answer.warnings];
+  byId("warnings").hidden = !warnings.length;
+  render(warnings.map((sentence) => html`<li>${sentence}</li>`), byId("warnings"));
+  const row = ([name, value, remark]) =>
+    html`<tr>${name ? html`<th scope="row">${name}</th>` : html`<td></td>`}<td>${value}</td><td>${remark}</td></tr>`;
+  render(answer.summary.map(row), byId("summary"));
   const { length } = answer.warnings;
-  sayLater(`${spoken(answer.numbers)}${length ? `, ${length} warning${length > 1 ? "s" : ""}` : ""}`);
+  const by = answer.method ? `By ${answer.method}: ` : "";
+  sayLater(`${by}${spoken(answer.numbers)}${length ? `, ${length} warning${length > 1 ? "s" : ""}` : ""}`);
+}
+
+/** A table in which heads and cells are as the program words them. @param {{heads: string[], children: any}} props */
+export function Columns({ heads, children }) {
+  return html`<thead><tr>${heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
+    <tbody>${children}</tbody>`;
+}
+
+/** @param {string[]} row */
+export function cells(row) {
+  return row.map((text) => html`<td>${text}</td>`);
 }
 
 /** Write whether limits are met: a coloured tile. @param {Answer["verdict"]} verdict @param {boolean} [stale] */
@@ -106,21 +127,8 @@ export function writeVerdict(verdict, stale = false) {
   render(verdict && html`<strong>${words}</strong> ${verdict.sentence}`, tile);
 }
 
-/**
- * Write warnings and the summary.
- * @param {[string, string, string][]} summary
- * @param {string[]} warnings
- */
-export function writeRows(summary, warnings) {
-  byId("warnings").hidden = warnings.length === 0;
-  render(warnings.map((sentence) => html`<li>${sentence}</li>`), byId("warnings"));
-  const row = ([name, value, remark]) =>
-    html`<tr>${name ? html`<th scope="row">${name}</th>` : html`<td></td>`}<td>${value}</td><td>${remark}</td></tr>`;
-  render(summary.map(row), byId("summary"));
-}
-
 /** The first numbers in words. @param {KeyNumber[]} numbers */
-export function spoken(numbers) {
+function spoken(numbers) {
   return numbers.slice(0, SPOKEN).map(({ name, value, unit }) => `${name.toLowerCase()} ${value} ${inFull(unit)}`).join(", ");
 }
 
@@ -131,12 +139,17 @@ export function spoken(numbers) {
  */
 export function outdate(known, why = "") {
   byId("results").classList.add("outdated");
-  byId("state").textContent = known ? "last good result" : "no result yet";
-  byId("round-trip").textContent = why;
+  sayState(known ? "last good result" : "no result yet", why);
 }
 
-/** Announce mistakes. @param {import("./types.js").Mistake[]} mistakes */
-export function sayMistakes(mistakes) {
+/**
+ * Show and announce what is wrong; the last good result stays, dimmed.
+ * @param {boolean} known whether there is one
+ * @param {import("./types.js").Mistake[]} mistakes
+ */
+export function refuse(known, mistakes) {
+  showMistakes(mistakes);
+  outdate(known);
   sayLater(`${mistakes.length} mistake${mistakes.length === 1 ? "" : "s"}: ${mistakes[0]?.sentence ?? ""}`);
 }
 
@@ -147,7 +160,7 @@ export function entitle(title) {
 }
 
 /** Announce something to screen readers once editing pauses: not every answer of a drag. @param {string} words */
-export function sayLater(words) {
+function sayLater(words) {
   window.clearTimeout(speaking);
   speaking = window.setTimeout(() => {
     byId("spoken").textContent = words;

@@ -13,6 +13,12 @@ export function notice(reason, sentence) {
   byId("notice").hidden = !text;
 }
 
+/** Say what the numbers are. @param {string} words @param {string} [more] what goes on */
+export function sayState(words, more = "") {
+  byId("state").textContent = words;
+  byId("round-trip").textContent = more;
+}
+
 const AGAIN = 1000; // ms
 
 /**
@@ -24,8 +30,7 @@ const AGAIN = 1000; // ms
 export function whileSolving(giveUp, words, outdates) {
   const [begun, button] = [performance.now(), byId("cancel")];
   const count = () => {
-    byId("state").textContent = words;
-    byId("round-trip").textContent = `… ${Math.round((performance.now() - begun) / 1e3)} s`;
+    sayState(words, `… ${Math.round((performance.now() - begun) / 1e3)} s`);
     button.hidden = false;
     button.onclick = giveUp;
     byId("results").classList.toggle("outdated", outdates);
@@ -48,9 +53,7 @@ let answers = 0;
  */
 export function roundTrip(since, begun, answer) {
   timed(since, begun, () => {
-    if (!answer.ok) return;
-    byId("state").textContent = answer.complaint ? answer.status : "solved";
-    byId("round-trip").textContent = "";
+    if (answer.ok) sayState(answer.complaint ? answer.status : "solved");
   });
 }
 

@@ -47,7 +47,7 @@ export class Strength {
   async run(document, body) {
     const stop = new AbortController();
     this.asking = stop;
-    if (this.section.hidden) this.show(body, [], "The largest stresses of the whole body are being searched …");
+    if (this.section.hidden) this.show(body, [], "Searching the whole body for its largest stresses …");
     try {
       const answer = await (await post("strength", { document, body }, stop.signal)).json();
       if (stop.signal.aborted) return;

@@ -3,8 +3,8 @@
 // A handle moves the slider of the tilt, so that a drag is rounded, solved and undone as one of the slider. While it is
 // held the vertical axis stays as it was: otherwise the end would run away from the pointer.
 
-import { element } from "./elements.js";
-import { ends, valueOf } from "./fields.js";
+import { slid } from "./fields.js";
+import { html, render } from "./preact.js";
 import { spelled } from "./units.js";
 
 const PATH = "load.tilt";
@@ -15,9 +15,9 @@ const UNLIKE = 3; // times the distance from the middle: a lever beyond is of a 
 const KEYS = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 
 /** @typedef {{x: (y: number) => number, y: (distance: number) => number, height: number, limits: [number, number]}} Axes */
-/** @typedef {{slider: HTMLInputElement, control: HTMLInputElement}} Field */
-/** @typedef {{handle: HTMLElement, place: number, at: number, distance: number, tilt: number, lever: number,
- *   limits: [number, number], scale: number}} Held */
+/** @typedef {import("./fields.js").Slid & {slider: HTMLInputElement}} Field */
+/** @typedef {{y: number, distance: number, left: number, bottom: number}} End of the surface [mm], and where it is drawn */
+/** @typedef {End & {side: string, at: number, tilt: number, lever: number, limits: [number, number], scale: number}} Held */
 
 export class Tilt {
   /** @param {HTMLElement} host the figure @param {() => void} redraw */
@@ -26,34 +26,17 @@ export class Tilt {
     /** @type {Axes | null} */
     this.axes = null;
     this.middle = 0;
+    this.tilt = 0;
     /** @type {Held | null} */
     this.held = null;
-    this.handles = ["left", "right"].map((side) => this.handle(side));
-    host.append(element("div", { class: "handles" }, this.handles));
+    this.handles = document.createElement("div");
+    this.handles.className = "handles";
+    host.append(this.handles);
   }
 
   /** The vertical axis while a handle is held. @returns {[number, number] | null} */
   get limits() {
     return this.held?.limits ?? null;
-  }
-
-  /** @param {string} side */
-  handle(side) {
-    const handle = element("span", {
-      role: "slider",
-      tabindex: "0",
-      class: "handle",
-      "aria-label": `Tilt, by the ${side} end of the undeformed surface`,
-      "aria-orientation": "vertical",
-      title: "Drag up or down to tilt",
-      hidden: true,
-      pointerdown: (event) => this.hold(event, handle),
-      pointermove: (event) => this.drag(event),
-      pointerup: () => this.release(),
-      lostpointercapture: () => this.release(),
-      keydown: (event) => this.press(event, Number(handle.dataset.place)),
-    });
-    return handle;
   }
 
   /**
@@ -63,27 +46,18 @@ export class Tilt {
    * @param {Axes} axes
    */
   place({ x: y, y: before }, tilt, axes) {
-    this.axes = axes;
-    this.learn(before[d3.bisectCenter(y, this.held?.place ?? 0)], tilt);
+    [this.axes, this.tilt, this.middle] = [axes, tilt, 0.5 * (y[0] + y[y.length - 1])];
+    this.learn(before[d3.bisectCenter(y, this.held?.y ?? 0)], tilt);
     const drawn = y.filter((_, place) => isWithin(before[place], axes.limits));
-    const field = fieldOf();
-    this.middle = 0.5 * (y[0] + y[y.length - 1]);
-    const found = [drawn[0], drawn[drawn.length - 1]];
-    for (const [number, handle] of this.handles.entries()) {
-      // The one that is held stays at its place along y.
-      const at = this.held?.handle === handle ? this.held.place : found[number];
-      const hides = !field || at === undefined || at === this.middle;
-      if (handle.hidden !== hides) handle.hidden = hides;
-      if (hides) continue;
-      const [low, high] = axes.limits;
-      const value = Math.min(high, Math.max(low, before[d3.bisectCenter(y, at)] ?? high));
-      handle.dataset.place = String(at);
-      handle.style.left = `${axes.x(at).toFixed(1)}px`;
-      handle.style.bottom = `${(axes.height - axes.y(value)).toFixed(1)}px`;
-      handle.dataset.distance = String(value);
-      handle.dataset.tilt = String(tilt);
-      this.describe(handle, at, field);
-    }
+    const [field, [low, high]] = [fieldOf(), axes.limits];
+    const handle = (side, outermost) => {
+      const at = this.held?.side === side ? this.held.y : outermost; // the one that is held stays at its place along y
+      if (!field || at === undefined || at === this.middle) return null;
+      const distance = Math.min(high, Math.max(low, before[d3.bisectCenter(y, at)] ?? high));
+      const end = { y: at, distance, left: axes.x(at), bottom: axes.height - axes.y(distance) };
+      return html`<${Handle} key=${side} ...${{ tilting: this, side, end, field }} />`;
+    };
+    render([handle("left", drawn[0]), handle("right", drawn[drawn.length - 1])], this.handles);
   }
 
   /**
@@ -94,47 +68,30 @@ export class Tilt {
    */
   learn(distance, tilt) {
     if (!this.held || distance === null) return;
-    const { place, distance: first, tilt: began } = this.held;
+    const { y, distance: first, tilt: began } = this.held;
     const turned = tilt - began;
-    const lever = (first - distance) / turned / (place - this.middle);
+    const lever = (first - distance) / turned / (y - this.middle);
     if (Math.abs(turned) >= LEARNING && lever > 1 / UNLIKE && lever < UNLIKE) this.held.lever = lever;
   }
 
-  /** Say how far the end is raised by the tilt. @param {HTMLElement} handle @param {number} at @param {Field} field */
-  describe(handle, at, { slider, control }) {
-    const rise = (tilt) => -MICROMETRES * (at - this.middle) * tilt;
-    const now = rise(valueOf(slider, control) || 0);
-    const range = ends(slider).map(rise);
-    for (const [name, value] of /** @type {[string, number][]} */ ([
-      ["now", now],
-      ["min", Math.min(...range)],
-      ["max", Math.max(...range)],
-    ]))
-      handle.setAttribute(`aria-value${name}`, String(Number(value.toPrecision(4))));
-    const up = `${spelled(Math.abs(now), "µm", 3)} ${now < 0 ? "down" : "up"}`;
-    handle.setAttribute("aria-valuetext", `tilt ${slider.getAttribute("aria-valuetext")}, ${up}`);
-  }
-
-  /** @param {PointerEvent} event @param {HTMLElement} handle */
-  hold(event, handle) {
-    const field = fieldOf();
-    if (!field || !this.axes || event.button !== 0) return;
-    handle.setPointerCapture(event.pointerId);
+  /** @param {PointerEvent} event @param {string} side @param {End} end */
+  hold(event, side, end) {
+    if (!this.axes || event.button !== 0) return;
+    /** @type {HTMLElement} */ (event.target).setPointerCapture(event.pointerId);
     const { limits, y } = this.axes;
-    const [distance, tilt] = [Number(handle.dataset.distance), Number(handle.dataset.tilt)];
     const scale = (limits[1] - limits[0]) / (y(limits[0]) - y(limits[1])); // mm of a pixel
-    this.held = { handle, place: Number(handle.dataset.place), at: event.clientY, distance, tilt, lever: 1, limits, scale };
+    this.held = { ...end, side, at: event.clientY, tilt: this.tilt, lever: 1, limits, scale };
   }
 
   /** @param {PointerEvent} event */
   drag(event) {
     if (!this.held) return;
-    const { place, at, tilt: began, lever, scale } = this.held;
+    const { y, at, tilt: began, lever, scale } = this.held;
     const risen = scale * (at - event.clientY);
     const field = fieldOf();
     if (!field) return;
-    const [low, high] = ends(field.slider);
-    const tilt = began - risen / (place - this.middle) / lever;
+    const { low, high } = field.span;
+    const tilt = began - risen / (y - this.middle) / lever;
     move(field, (Number(field.slider.max) * (tilt - low)) / (high - low));
   }
 
@@ -144,17 +101,34 @@ export class Tilt {
     this.redraw();
   }
 
-  /** @param {KeyboardEvent} event @param {number} place */
-  press(event, place) {
+  /** @param {KeyboardEvent} event @param {End} end */
+  press(event, { y }) {
     const field = fieldOf();
     const most = Number(field?.slider.max);
-    const raises = place > this.middle ? -1 : 1; // positions of the slider that raise this end
+    const raises = y > this.middle ? -1 : 1; // positions of the slider that raise this end
     const extreme = { Home: -1, End: 1 }[event.key];
     if (!field || (KEYS[event.key] === undefined && extreme === undefined)) return;
     event.preventDefault();
     if (extreme === undefined) move(field, Number(field.slider.value) + raises * KEYS[event.key]);
     else move(field, extreme === raises ? most : 0);
   }
+}
+
+/** A handle, which says how far the tilt raises its end. @param {{tilting: Tilt, side: string, end: End, field: Field}} props */
+function Handle({ tilting, side, end, field: { slider, span, value } }) {
+  const rise = (tilt) => -MICROMETRES * (end.y - tilting.middle) * tilt;
+  const now = rise(value || 0);
+  const [least, most] = d3.extent([rise(span.low), rise(span.high)]);
+  const shown = (number) => String(Number(number.toPrecision(4)));
+  const up = `${spelled(Math.abs(now), "µm", 3)} ${now < 0 ? "down" : "up"}`;
+  return html`<span role="slider" tabindex="0" class="handle" title="Drag up or down to tilt"
+    style=${{ left: `${end.left.toFixed(1)}px`, bottom: `${end.bottom.toFixed(1)}px` }}
+    aria-label="Tilt, by the ${side} end of the undeformed surface" aria-orientation="vertical"
+    aria-valuenow=${shown(now)} aria-valuemin=${shown(least)} aria-valuemax=${shown(most)}
+    aria-valuetext="tilt ${slider.getAttribute("aria-valuetext")}, ${up}"
+    onPointerDown=${(event) => tilting.hold(event, side, end)} onPointerMove=${(event) => tilting.drag(event)}
+    onPointerUp=${() => tilting.release()} onPointerCancel=${() => tilting.release()}
+    onKeyDown=${(event) => tilting.press(event, end)}></span>`;
 }
 
 /** Move the slider of the tilt as if by hand. @param {Field} field @param {number} position */
@@ -166,11 +140,11 @@ function move({ slider }, position) {
 
 /** The field of the tilt with its slider, null where the tilt is a result. @returns {Field | null} */
 function fieldOf() {
-  const field = document.querySelector(`#case .field[data-path="${PATH}"]`);
-  const slider = /** @type {HTMLInputElement | null} */ (field?.querySelector('input[type="range"]') ?? null);
-  const control = /** @type {HTMLInputElement | null} */ (field?.querySelector(`[name="${PATH}"]`) ?? null);
-  if (!slider || !control) return null;
-  return control.value.trim() === "" || Number.isFinite(valueOf(slider, control)) ? { slider, control } : null;
+  const slider = /** @type {HTMLInputElement | null} */ (document.querySelector(`#case [data-path="${PATH}"] .slider`));
+  const field = slider && slid.get(slider);
+  const control = slider && document.querySelector(`#case [name="${PATH}"]`);
+  const hasNumber = field && (Number.isFinite(field.value) || /** @type {any} */ (control).value.trim() === "");
+  return slider && field && hasNumber ? { slider, ...field } : null;
 }
 
 /** @param {number | null} value @param {[number, number]} limits */

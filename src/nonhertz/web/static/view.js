@@ -5,7 +5,8 @@ import { FINE, QUICK } from "./contours.js";
 import { byId } from "./elements.js";
 import { showMistakes } from "./mistakes.js";
 import { drawPanels } from "./panel.js";
-import { entitle, keyNumbers, outdate, sayMistakes, writeKeyNumbers, writeVerdict, writeWords } from "./results.js";
+import { entitle, keyNumbers, outdate, refuse, writeKeyNumbers, writeVerdict, writeWords } from "./results.js";
+import { sayState } from "./status.js";
 import { Tilt } from "./tilt.js";
 
 /** @typedef {import("./types.js").Answer} Answer */
@@ -21,7 +22,6 @@ export class View {
     this.pins = [];
     /** @type {import("./types.js").Profiles | undefined} */
     this.profiles = undefined;
-    this.results = byId("results");
     this.tilt = new Tilt(figure("gap"), () => this.drawResult());
     whenResized(() => this.redraw());
   }
@@ -29,11 +29,9 @@ export class View {
   /** Show a good result. @param {object} document @param {Answer} answer */
   show(document, answer) {
     showMistakes([]);
-    this.results.classList.remove("outdated", "empty");
     this.profiles = answer.profiles;
     // Stresses of the previous case stay, dimmed, until those of this one arrive.
     this.latest = { document, answer, stressed: this.latest?.stressed ?? null };
-    entitle(answer.title);
     this.drawResult();
     writeWords(answer);
   }
@@ -44,12 +42,10 @@ export class View {
    * @param {import("./types.js").Refusal} refusal
    */
   refuse(document, refusal) {
-    showMistakes(refusal.mistakes);
     if (!this.latest) entitle(typeof document.title === "string" ? document.title : "");
-    this.outdate("");
+    refuse(Boolean(this.latest), refusal.mistakes);
     this.profiles = refusal.profiles;
     this.drawProfiles(this.profiles);
-    sayMistakes(refusal.mistakes);
   }
 
   /** Dim the last good result, which is not that of the case. @param {string} why */
@@ -60,9 +56,8 @@ export class View {
   /** Another case is begun: the last one is taken away. */
   clear() {
     this.latest = null;
-    this.results.classList.add("empty");
-    byId("state").textContent = "solving";
-    byId("round-trip").textContent = "";
+    byId("results").classList.add("empty");
+    sayState("solving");
   }
 
   /** Show the stresses of the latest result. @param {Answer} answer @param {boolean} fine whether on the fine grid */

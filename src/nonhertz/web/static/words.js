@@ -3,7 +3,7 @@
 /** @type {Record<string, string>} by the last two keys of a path, or the last */
 const LABELS = {
   accuracy_of: "accuracy of",
-  at: "place of the drop",
+  at: "position of the drop",
   "bearing.clearance": "clearance, preload",
   "bearing.kind": "type of bearing",
   "bearing.pair": "second row",
@@ -17,7 +17,7 @@ const LABELS = {
   inner: "inner ring",
   kind: "type",
   life: "Life",
-  line_loads: "line loads from",
+  line_loads: "line loads by",
   lubrication: "Oil and cleanliness",
   "load.axial": "axial load",
   "load.radial": "radial load",
@@ -29,8 +29,8 @@ const LABELS = {
   outer: "outer ring",
   poisson: "Poisson’s ratio",
   report: "Report",
-  solver: "Solution",
-  turning: "ring that turns",
+  solver: "Solver",
+  turning: "rotating ring",
   y: "positions y",
 };
 
@@ -39,9 +39,9 @@ export const FOLDS = [
   ["Corners and position", ["effective_length", "corner_radius", "chamfer", "position"]],
   ["Side faces, depth and bore", ["side_faces", "images", "depth", "bore", "case_depth"]],
   ["Hardening and limits", ["yield_strength", "core_yield_strength", "hardness", "pressure_limit"]],
-  ["Size by a drop; shift, scale, flip", ["drop", "at", "shift", "scale", "flip"]],
+  ["Drop, shift, scale, flip", ["drop", "at", "shift", "scale", "flip"]],
   [
-    "Circle of the rollers, ribs, roundness",
+    "Pitch circle, ribs, out-of-roundness",
     ["pitch_diameter", "inner_shape", "outer_shape", "density", "rib", "axial_clearance"],
   ],
   ["Fits and temperatures", ["fit"]],
@@ -51,7 +51,7 @@ export const FOLDS = [
   ["Load spectrum", ["spectrum"], "life"],
   ["Edges and laminae", ["edge_stress", "line_loads", "laminae"], "life"],
   ["Life", ["life"]],
-  ["Solution", ["solver"]],
+  ["Solver", ["solver"]],
   ["Report", ["report"]],
 ];
 /** Of these, each is a heading of the form. */
