@@ -82,6 +82,9 @@ export function draw(host, options, words) {
  */
 export function head(host, heading, key, remark = "") {
   const caption = /** @type {HTMLElement} */ (host.querySelector("figcaption"));
+  const text = `${heading}|${key.join()}|${remark}`;
+  if (caption.dataset.text === text) return; // as in most steps of a drag
+  caption.dataset.text = text;
   const kinds = /** @type {("svg" | "png" | "csv")[]} */ (["svg", "png", "csv"]);
   const saver = (kind) => html`<button type="button" aria-label="Save as ${kind.toUpperCase()}"
     onClick=${() => void save(host, kind)}>${kind.toUpperCase()}</button>`;
