@@ -168,15 +168,15 @@ class BearingLife(HasFindings):
 
         Of a spectrum, the heaviest.
         """
-        found = []
+        notes = []
         if self.axial_on_ribs:
             words = "Ribs bear the axial load of {load:4}, which no life here counts."
-            found.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
+            notes.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
         lives = [life for life, _ in self.parts] or [self]
-        heaviest = max(each.equivalent_load for each in lives)
-        by_rollers = max((each.reference_load for each in lives if not math.isnan(each.reference_life)), default=0.0)
+        heaviest = max(life.equivalent_load for life in lives)
+        by_rollers = max((life.reference_load for life in lives if not math.isnan(life.reference_life)), default=0.0)
         if max(heaviest, by_rollers) <= _HEAVY * self.rating.dynamic:
-            return tuple(found)
+            return tuple(notes)
         by_force = heaviest > _HEAVY * self.rating.dynamic
         words = (
             "The equivalent load P of {load:4} exceeds"
@@ -185,7 +185,7 @@ class BearingLife(HasFindings):
         )
         words += " half the rating C of {rating:4}: contacts may yield, and the equations of life need not hold."
         numbers = {"load": newton(heaviest if by_force else by_rollers), "rating": newton(self.rating.dynamic)}
-        return (*found, finding("heavy-load", words, **numbers))
+        return (*notes, finding("heavy-load", words, **numbers))
 
     @property
     def internally_loaded(self) -> bool:
@@ -194,29 +194,29 @@ class BearingLife(HasFindings):
 
     def __repr__(self) -> str:
         rated = self.rating
-        said = [
+        lines = [
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
             f"P = {newton(self.equivalent_load)}, S0 = {_or_none(self.static_safety, 3)}",
             f"L10 = {_or_none(self.basic_life)}, L10r = {format_digits(self.reference_life, 4)} million revolutions",
             self._modified(),
         ]
         if self.internally_loaded:
-            said.append(f"no S0 and no L10: P {LEFT_OUT}")
+            lines.append(f"no S0 and no L10: P {LEFT_OUT}")
         if self.no_reference:
-            said[1:3] = [f"L10 = {_or_none(self.basic_life)} million revolutions, no L10r: {self.no_reference}"]
+            lines[1:3] = [f"L10 = {_or_none(self.basic_life)} million revolutions, no L10r: {self.no_reference}"]
         if self.parts:
-            said.append(
+            lines.append(
                 f"under {len(self.parts)} loads for {format_digits(sum(share for _, share in self.parts), 3)} of it"
             )
         if self.assumed:
-            said.append(f"assumed: {', '.join(dict(each.numbers)['default'] for each in self.assumed)}")
-        return plain_text("BearingLife", [*said, *self.warnings])
+            lines.append(f"assumed: {', '.join(dict(assumption.numbers)['default'] for assumption in self.assumed)}")
+        return plain_text("BearingLife", [*lines, *self.warnings])
 
     def _modified(self) -> str:
         factors, of_oil = self.factors
         kind, why = ("rated", f"; {self.no_modified}") if self.no_modified else ("modified", "")
-        said = f"{kind} {format_digits(self.rated_life, 4)} million revolutions: {factors}"
-        return said + (f" with {' and '.join(of_oil)}" if of_oil else "") + why
+        words = f"{kind} {format_digits(self.rated_life, 4)} million revolutions: {factors}"
+        return words + (f" with {' and '.join(of_oil)}" if of_oil else "") + why
 
     @property
     def factors(self) -> tuple[str, tuple[str, ...]]:
@@ -226,7 +226,7 @@ class BearingLife(HasFindings):
             factors.append(f"a_ISO = {'none' if self.no_reference else format_digits(self.life_factor, 4)}")
         of_oil = ("kappa", self.viscosity_ratio), ("e_C", self.contamination)
         return ", ".join(factors), tuple(
-            f"{name} = {format_digits(each, 3)}" for name, each in of_oil if each is not None
+            f"{name} = {format_digits(value, 3)}" for name, value in of_oil if value is not None
         )
 
 
@@ -344,7 +344,7 @@ def assess(
     pressures.
     """
     pairs = _pairs(solution)
-    asked = _Conditions(
+    conditions = _Conditions(
         viscosity=viscosity,
         contamination=contamination,
         cleanliness=cleanliness,
@@ -356,13 +356,13 @@ def assess(
         static=static,
         required=required,
     )
-    _check_oil(asked, speed, pairs[0][0])
+    _check_oil(conditions, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
-    lives = tuple((_life(each, asked, pace), share) for (each, share), pace in zip(pairs, speeds, strict=True))
-    life = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, asked)
-    if asked.required is None:
+    lives = tuple((_life(state, conditions, pace), share) for (state, share), pace in zip(pairs, speeds, strict=True))
+    life = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, conditions)
+    if conditions.required is None:
         return life
-    return replace(life, required=million_revolutions(asked.required, life.speed))
+    return replace(life, required=million_revolutions(conditions.required, life.speed))
 
 
 def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
@@ -370,54 +370,54 @@ def _pairs(solution: Loaded) -> list[tuple[BearingSolution, float]]:
         return [(solution, 1.0)]
     condition, remedy = "be a loaded bearing, or several with their shares", f"give one, or {_PAIRS}"
 
-    def check(each: object) -> None:
-        if not isinstance(each, BearingSolution):
-            raise InputError("solution", each, condition, remedy)
+    def check(value: object) -> None:
+        if not isinstance(value, BearingSolution):
+            raise InputError("solution", value, condition, remedy)
 
     return check_shares(solution, check, "bearing", condition, remedy)
 
 
-def _check_oil(asked: _Conditions, speed: object, solution: BearingSolution) -> None:
-    if asked.viscosity is None:
+def _check_oil(conditions: _Conditions, speed: object, solution: BearingSolution) -> None:
+    if conditions.viscosity is None:
         return
     if speed is None:
         raise InputError("speed", None, "be given with a viscosity", "give the speed in 1/min")
     if any(isinstance(row.bearing, CylindricalThrustBearing) for row in solution.bearing.rows):
         condition = "be left out for thrust bearings, whose a_ISO was found in one source only"
-        raise InputError("viscosity", asked.viscosity, condition, "assess the bearing without lubrication")
+        raise InputError("viscosity", conditions.viscosity, condition, "assess the bearing without lubrication")
 
 
 def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
     if speed is None:
         return [None] * count
     remedy = "give the speed in 1/min, or one for each load"
-    found = numbers("speed", speed, remedy)
-    if found.ndim > 1 or found.size not in (1, count):
-        raise InputError("speed", found.size, f"be one, or {count}, one for each load", remedy)
-    for each in found.ravel().tolist():
-        positive("speed", each, remedy)
-    return np.broadcast_to(found, count).tolist()  # type: ignore[no-any-return]
+    speeds = numbers("speed", speed, remedy)
+    if speeds.ndim > 1 or speeds.size not in (1, count):
+        raise InputError("speed", speeds.size, f"be one, or {count}, one for each load", remedy)
+    for value in speeds.ravel().tolist():
+        positive("speed", value, remedy)
+    return np.broadcast_to(speeds, count).tolist()  # type: ignore[no-any-return]
 
 
-def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) -> BearingLife:
+def _life(solution: BearingSolution, conditions: _Conditions, speed: float | None) -> BearingLife:
     by_strips = solution.method == "strips"
-    stress = asked.edge_stress
+    stress = conditions.edge_stress
     if stress is None:
         stress = "pressure" if by_strips else "standard"
     if stress == "pressure" and not by_strips:
         raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
-    rated = rating(solution.bearing, dynamic=asked.dynamic, static=asked.static)
+    rated = rating(solution.bearing, dynamic=conditions.dynamic, static=conditions.static)
     load, still = equivalent_loads(solution)
-    means = lamina_means(solution, asked.laminae, stress, asked.turning)
+    means = lamina_means(solution, conditions.laminae, stress, conditions.turning)
     ends = singular_ends(solution) if stress == "pressure" else set()
     reference = math.nan if ends else lamina_life(rated, means)
     kappa = clean = factor = None
-    if asked.viscosity is not None and speed is not None:
+    if conditions.viscosity is not None and speed is not None:
         pitch = solution.bearing.rows[0].bearing.pitch
-        kappa = asked.viscosity / reference_viscosity(speed, pitch)
-        clean = asked.contamination
-        if clean is None and asked.cleanliness is not None:
-            clean = contamination_factor(kappa, pitch, asked.cleanliness)
+        kappa = conditions.viscosity / reference_viscosity(speed, pitch)
+        clean = conditions.contamination
+        if clean is None and conditions.cleanliness is not None:
+            clean = contamination_factor(kappa, pitch, conditions.cleanliness)
     if kappa is not None and clean is not None:
         factors = life_factors(solution, rated, means, kappa, float(clean))
         factor = MOST_FACTOR if math.isinf(reference) else lamina_life(rated, means, factors) / reference
@@ -429,10 +429,10 @@ def _life(solution: BearingSolution, asked: _Conditions, speed: float | None) ->
         viscosity_ratio=kappa,
         contamination=clean,
         life_factor=factor,
-        reliability_factor=asked.reliability_factor,
+        reliability_factor=conditions.reliability_factor,
         singular_ends=tuple(ends),
         axial_on_ribs=axial_on_ribs(solution),
-        assumed=collect_assumptions({"": asked}),
+        assumed=collect_assumptions({"": conditions}),
         basis=_basis(solution, stress),
         speed=speed,
     )
@@ -442,34 +442,34 @@ def _basis(solution: BearingSolution, edge_stress: str) -> str:
     """Return what L10r follows, and where not: the text is for slices of single rows under radial load."""
     rows = solution.bearing.rows
     extended = len(rows) > 1 or rows[0].bearing.nominal_angle or axial_on_ribs(solution)
-    said = f"extended {_TEXT}" if extended else _TEXT
+    words = f"extended {_TEXT}" if extended else _TEXT
     if solution.method == "strips":
-        said += ", by strips"
+        words += ", by strips"
     if edge_stress == "none" or (edge_stress == "standard" and solution.method == "strips"):
-        said += f", {edge_stress if edge_stress == 'standard' else 'no'} edge stress"
-    return said
+        words += f", {edge_stress if edge_stress == 'standard' else 'no'} edge stress"
+    return words
 
 
-def _together(parts: tuple[tuple[BearingLife, float], ...], asked: _Conditions) -> BearingLife:
+def _together(parts: tuple[tuple[BearingLife, float], ...], conditions: _Conditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
     reference, rated = (
-        miner([getattr(each, name) for each in lives], shares) for name in ("reference_life", "rated_life")
+        miner([getattr(part, name) for part in lives], shares) for name in ("reference_life", "rated_life")
     )
-    loads = [each.equivalent_load for each in lives]
+    loads = [part.equivalent_load for part in lives]
     first = lives[0]
-    of_oil = MOST_FACTOR if math.isinf(reference) else rated / (asked.reliability_factor * reference)
+    of_oil = MOST_FACTOR if math.isinf(reference) else rated / (conditions.reliability_factor * reference)
     # Shares are those of the revolutions: slow ones take longer.
     minutes = [share / life.speed for life, share in parts if life.speed is not None]
     return replace(
         first,
         equivalent_load=float(np.dot(np.power(loads, _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)),
-        static_load=max(each.static_load for each in lives),
+        static_load=max(part.static_load for part in lives),
         reference_life=reference,
-        viscosity_ratio=None if first.viscosity_ratio is None else min(each.viscosity_ratio or 0.0 for each in lives),
-        contamination=None if first.contamination is None else min(each.contamination or 0.0 for each in lives),
+        viscosity_ratio=None if first.viscosity_ratio is None else min(part.viscosity_ratio or 0.0 for part in lives),
+        contamination=None if first.contamination is None else min(part.contamination or 0.0 for part in lives),
         life_factor=None if first.life_factor is None else of_oil,
-        singular_ends=next((each.singular_ends for each in lives if each.singular_ends), ()),
+        singular_ends=next((part.singular_ends for part in lives if part.singular_ends), ()),
         parts=parts,
-        axial_on_ribs=max(each.axial_on_ribs for each in lives),
+        axial_on_ribs=max(part.axial_on_ribs for part in lives),
         speed=math.fsum(shares) / math.fsum(minutes) if minutes else None,
     )

@@ -130,7 +130,7 @@ class Mounting(Input):
             remedy = "give a cylindrical, needle, tapered or spherical one of one row"
             raise InputError("bearing", bearing, "be a radial roller bearing", remedy)
         interferences = self._interferences(bearing)
-        shaft, housing = (0.0 - (-each).at(clearance) for each in interferences)  # not -0.0
+        shaft, housing = (0.0 - (-interference).at(clearance) for interference in interferences)  # not -0.0
         return self._with(bearing, shaft, housing), bearing.at(clearance)
 
     def _with(self, row: RollerBearing, shaft: float, housing: float) -> Mounting:
@@ -186,17 +186,17 @@ class Mounting(Input):
         InputError
             As `operating`.
         """
-        least, likely, greatest = (self.operating(bearing, speed, each) for each in Range.AT)
+        least, likely, greatest = (self.operating(bearing, speed, limit) for limit in Range.AT)
         shaft, housing = self._interferences(bearing)
         unmounted = bearing.clearance_range.scaled(_radial(bearing))
         spreads = [(unmounted.spread, unmounted.spread)]
         for ends in (
-            [(each, housing.likely) for each in shaft.probable],
-            [(shaft.likely, each) for each in housing.probable],
+            [(interference, housing.likely) for interference in shaft.probable],
+            [(shaft.likely, interference) for interference in housing.probable],
         ):
-            low, high = (self._with(bearing, *each).operating(bearing, speed) for each in ends)
+            low, high = (self._with(bearing, *end).operating(bearing, speed) for end in ends)
             spreads.append((0.5 * (high.mounted - low.mounted), 0.5 * (high.clearance - low.clearance)))
-        mounted, operating = (math.hypot(*each) for each in zip(*spreads, strict=True))
+        mounted, operating = (math.hypot(*halves) for halves in zip(*spreads, strict=True))
         return ClearanceRanges(
             shaft=shaft,
             housing=housing,
@@ -224,7 +224,7 @@ class Mounting(Input):
             )
         )
         strains = (on_shaft, inner), (outer, in_housing)
-        warm = [replace(fit, strains=each) for fit, each in zip(cold, strains, strict=True)]
+        warm = [replace(fit, strains=pair) for fit, pair in zip(cold, strains, strict=True)]
         turning = replace(warm[0], speed=speed * PER_MINUTE)
         rollers = 2.0 * bearing.roller_diameter / math.cos(bearing.nominal_angle) * of_rollers
         mounted, warmed = ([fit.raceway for fit in fits] for fits in (cold, warm))
@@ -307,29 +307,29 @@ class Mounting(Input):
         return replace(row, clearance=self.operating(row, 0.0, clearance).mounted / _radial(row))  # type: ignore[call-arg]
 
     def _row(self, row: RollerBearing, speed: float, clearance: str) -> RollerBearing:
-        found = self.operating(row, speed, clearance)
-        left = found.axial(row.nominal_angle) if isinstance(row, TaperedRollerBearing) else found.clearance
+        operating = self.operating(row, speed, clearance)
+        play = operating.axial(row.nominal_angle) if isinstance(row, TaperedRollerBearing) else operating.clearance
         try:
-            return replace(row, clearance=left)  # type: ignore[call-arg]
+            return replace(row, clearance=play)  # type: ignore[call-arg]
         except InputError as error:
-            name, value, remedy = self._taker(found, speed)
-            raise InputError(name, value, f"leave a clearance: {um(left):.4g} must {error.condition}", remedy) from None
+            name, value, remedy = self._taker(operating, speed)
+            raise InputError(name, value, f"leave a clearance: {um(play):.4g} must {error.condition}", remedy) from None
 
-    def _taker(self, found: OperatingClearance, speed: float) -> tuple[str, Any, str]:
+    def _taker(self, loss: OperatingClearance, speed: float) -> tuple[str, Any, str]:
         """Return the input that takes most of the clearance, its value, and what to do about it."""
         warmth = self.temperatures
-        furthest = max(warmth, key=lambda each: abs(warmth[each] - REFERENCE))
+        furthest = max(warmth, key=lambda part: abs(warmth[part] - REFERENCE))
         takers = {
-            self.shaft.source_of("shaft"): (found.lost_to_inner_fit, self.shaft.interference or self.shaft.fit, IN_MM),
+            self.shaft.source_of("shaft"): (loss.lost_to_inner_fit, self.shaft.interference or self.shaft.fit, IN_MM),
             self.housing.source_of("housing"): (
-                found.lost_to_outer_fit,
+                loss.lost_to_outer_fit,
                 self.housing.interference or self.housing.fit,
                 IN_MM,
             ),
-            furthest: (found.lost_to_temperatures, warmth[furthest], "check temperatures and thermal expansions"),
-            "speed": (found.lost_to_speed, speed, "give that of the inner ring in 1/min"),
+            furthest: (loss.lost_to_temperatures, warmth[furthest], "check temperatures and thermal expansions"),
+            "speed": (loss.lost_to_speed, speed, "give that of the inner ring in 1/min"),
         }
-        name = max(takers, key=lambda each: abs(takers[each][0]))
+        name = max(takers, key=lambda source: abs(takers[source][0]))
         return name, *takers[name][1:]
 
 
@@ -348,19 +348,19 @@ def _density(name: str, density: float | None, material: Material, speed: float)
     """Return the density of a turning part [t/mm^3]; 0 where it does not matter."""
     if density is not None:
         return density
-    found = density_of(material)
-    if found is None and speed > 0.0:
+    known = density_of(material)
+    if known is None and speed > 0.0:
         condition = f"be given for a turning part of {mpa(material.modulus):g}, which is not steel"
         raise InputError(name, None, condition, IN_TONNES)
-    return found or 0.0
+    return known or 0.0
 
 
 def clearance_ranges(fit: Mounting | None, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
     """Return what `Mounting.ranges` does, or without fits the clearance of a bearing that keeps it."""
     if fit is not None:
         return fit.ranges(bearing, speed)
-    found = bearing.clearance_range.scaled(_radial(bearing))
-    return ClearanceRanges(shaft=None, housing=None, unmounted=found, mounted=found, operating=found)
+    unmounted = bearing.clearance_range.scaled(_radial(bearing))
+    return ClearanceRanges(shaft=None, housing=None, unmounted=unmounted, mounted=unmounted, operating=unmounted)
 
 
 def _radial(bearing: RollerBearing) -> float:

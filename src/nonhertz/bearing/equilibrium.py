@@ -45,7 +45,7 @@ class States(NamedTuple):
 
     def portion(self, which: slice | Indices) -> States:
         """Return some of the states, which may be filled in if they are a slice."""
-        parts: list[Any] = [each[which] for each in self]
+        parts: list[Any] = [values[which] for values in self]
         return States(*parts)
 
     @property
@@ -150,13 +150,13 @@ def balanced(
     begin = np.full((len(ring), system.rollers, 3), np.nan if motion is None else motion).reshape(-1, 3)
     conditions = by_force.tolist(), float(depth), float(tolerance), STEPS
     try:
-        found = core.balance(system.assembly, *conditions, target, ring, begin, threads)
+        states = core.balance(system.assembly, *conditions, target, ring, begin, threads)
     except core.Unsolved as error:
         raise unsolved(error) from None
     except core.Refused as refused:  # of contacts on strips
         raise refusal_in_words(refused, math.nan, (math.nan, math.nan)) from None
-    assert found is not None  # nobody stops it but by a signal, whose exception passes
-    return States(*found)
+    assert states is not None  # nobody stops it but by a signal, whose exception passes
+    return States(*states)
 
 
 def at_edge(system: System, state: States) -> tuple[Indices, Array]:
@@ -182,12 +182,12 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
     load, overlap = state.load[0, :, 0], state.answer[0, :, :2, OVERLAP].sum(axis=1)
     floor, depth = NO_LOAD * float(load.max()), max(EDGE, float(overlap.max()))
     near = np.flatnonzero((load <= floor) & (overlap > -2.0 * EDGE))
-    held, moved = np.zeros(5, dtype=np.bool_), state.ring + EDGE * np.concatenate([np.eye(3, 5), -np.eye(3, 5)])
-    found = [balanced(system, held, at, at, depth, motion=state.motion) for at in moved[:, None] if near.size]
-    ready = near[np.any([each.load[0, near, 0] > floor for each in found], axis=0)] if found else near
+    by_force, moved = np.zeros(5, dtype=np.bool_), state.ring + EDGE * np.concatenate([np.eye(3, 5), -np.eye(3, 5)])
+    neighbours = [balanced(system, by_force, at, at, depth, motion=state.motion) for at in moved[:, None] if near.size]
+    ready = near[np.any([shifted.load[0, near, 0] > floor for shifted in neighbours], axis=0)] if neighbours else near
     if not ready.size:
         return ready, np.full(3, np.nan)
-    change = np.array([each.force[0, :3] - state.force[0, :3] for each in found]).reshape(2, 3, 3)
+    change = np.array([shifted.force[0, :3] - state.force[0, :3] for shifted in neighbours]).reshape(2, 3, 3)
     return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
 
 
@@ -197,5 +197,5 @@ def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> list
     Weights make those of several units comparable.
     """
     sizes = np.abs(values * weights)
-    found: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
-    return found
+    rounded: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
+    return rounded

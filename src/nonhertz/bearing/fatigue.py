@@ -123,14 +123,14 @@ class VolumeLife(HasFindings, ReadOnly):
 
     def __repr__(self) -> str:
         lives = (self.inner, self.outer, self.rollers)
-        said = [
+        lines = [
             f"{self.model.name}, in million revolutions",
             ", ".join(f"{name} {format_digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
             f"rings {format_digits(self.rings, 4)}, with rollers {format_digits(self.bearing, 4)}: "
             f"{format_digits(self.relative_life, 3)} of that under even loads",
             *self.warnings,
         ]
-        return plain_text("VolumeLife", said)
+        return plain_text("VolumeLife", lines)
 
 
 def volume_life(
@@ -197,27 +197,27 @@ def volume_life(
     steep = 0.0
     for row in solution.bearing.rows:
         seen = _exposures(solution, range(row.rollers.start, row.rollers.stop), field)
-        ideal = [[None if each is None else each.reference for each in of_body] for of_body in seen]
+        ideal = [[None if exposure is None else exposure.reference for exposure in of_body] for of_body in seen]
         calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
         of_rows.append(calibrated.lives(seen, RINGS.index(turning)))
         even.append(calibrated.lives(ideal, RINGS.index(turning)))
         if field == "sections" and chosen.stress != "orthogonal_shear":  # of which sections know what is nearby
-            steep = max([steep, *(_steep(each, chosen) for of_body in seen for each in _distinct(of_body))])
+            steep = max([steep, *(_steep(exposure, chosen) for of_body in seen for exposure in _distinct(of_body))])
     stress = chosen.stress.replace("_", " ")
     return VolumeLife(
         chosen, np.array(of_rows), np.array(even), tuple(_findings(singular_ends(solution), steep, stress))
     )
 
 
-def _chosen(given: VolumeModel | str) -> VolumeModel:
+def _chosen(model: VolumeModel | str) -> VolumeModel:
     names = tuple(name for name in MODELS if isinstance(MODELS[name](), VolumeModel))
-    if isinstance(given, str) and given in names:
-        found = MODELS[given]()
-        assert isinstance(found, VolumeModel)
-        return found
-    if not isinstance(given, VolumeModel):
-        raise InputError("model", given, "be a model of the stressed volume", f"choose from {', '.join(names)}")
-    return given
+    if isinstance(model, str) and model in names:
+        default = MODELS[model]()
+        assert isinstance(default, VolumeModel)
+        return default
+    if not isinstance(model, VolumeModel):
+        raise InputError("model", model, "be a model of the stressed volume", f"choose from {', '.join(names)}")
+    return model
 
 
 def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Finding]:
@@ -249,7 +249,7 @@ def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Se
 
 def _distinct(seen: Seen) -> list[Exposure]:
     """Return what is seen, once where it is the same for several rollers."""
-    return list(dict.fromkeys(each for each in seen if each is not None))
+    return list(dict.fromkeys(exposure for exposure in seen if exposure is not None))
 
 
 def _steep(seen: Exposure, chosen: VolumeModel) -> float:
@@ -282,8 +282,8 @@ class Calibration:
 
     def constants(self) -> Array:
         """Return A, but for a factor, from the capacity of either ring."""
-        found: Array = 1.0 / (self._passes**self._slope * self._around * self._damages)
-        return found
+        factors: Array = 1.0 / (self._passes**self._slope * self._around * self._damages)
+        return factors
 
     def lives(self, seen: Sequence[Seen], turning: int) -> Array:
         """Return the lives of inner ring, outer ring and rollers [10^6 revolutions]."""
@@ -291,7 +291,7 @@ class Calibration:
             # Contacts with a ring at rest have each their own part of its circumference.
             self._in_turn([seen[k]])
             if k == turning
-            else np.mean([0.0 if each is None else each.damage(self._model) for each in seen[k]])
+            else np.mean([0.0 if exposure is None else exposure.damage(self._model) for exposure in seen[k]])
             for k in range(len(RINGS))
         ]
         of_rings = [self._life(damage / self._damages[k]) for k, damage in enumerate(rings)]
@@ -300,9 +300,9 @@ class Calibration:
 
     def _in_turn(self, passes: Sequence[Seen]) -> float:
         """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
-        every = [each for contacts in passes for each in contacts if each is not None]
-        known = {each: (each.y, each.density(self._model), each.damage(self._model)) for each in _distinct(every)}
-        loaded = [known[each] for each in every if known[each][2] > 0.0]
+        every = [seen for contacts in passes for seen in contacts if seen is not None]
+        known = {seen: (seen.y, seen.density(self._model), seen.damage(self._model)) for seen in _distinct(every)}
+        loaded = [known[seen] for seen in every if known[seen][2] > 0.0]
         if not loaded:
             return 0.0
         stations = np.unique(np.concatenate([y for y, _, _ in loaded]))

@@ -89,7 +89,7 @@ class Range:
 
     def scaled(self, factor: float) -> Range:
         """Return the range of a number that is ``factor`` times as large, above zero."""
-        return Range(*(factor * each for each in (self.least, self.likely, self.greatest, self.spread)))
+        return Range(*(factor * value for value in (self.least, self.likely, self.greatest, self.spread)))
 
     def __neg__(self) -> Range:
         return Range(-self.greatest, -self.likely, -self.least, self.spread)
@@ -128,8 +128,8 @@ def seat_limits(fit: str, size: float) -> Range:
     >>> (k5.least, k5.greatest), (h7.least, h7.greatest)
     ((0.002, 0.011), (0.0, 0.03))
     """
-    found = _CLASS.fullmatch(fit) if isinstance(fit, str) else None
-    letter, grade = (found[1], int(found[2])) if found else ("", 0)
+    match = _CLASS.fullmatch(fit) if isinstance(fit, str) else None
+    letter, grade = (match[1], int(match[2])) if match else ("", 0)
     if letter not in (*_SHAFTS, *_HOLES):
         condition = f"be a tolerance class of ISO 286: one of {', '.join(_SHAFTS)} or {', '.join(_HOLES)} and a grade"
         raise InputError("fit", fit, condition, "write 'k5' for a shaft or 'H7' for a housing, say")
@@ -272,7 +272,7 @@ def _tables() -> dict[str, Any]:
 
 
 def _table(place: str) -> dict[str, Any]:
-    found = _tables()
+    table = _tables()
     for name in place.split("."):
-        found = found[name]
-    return found
+        table = table[name]
+    return table

@@ -37,7 +37,7 @@ _WORST_FACTOR = 0.1
 
 def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
     """Return the ends of loaded contacts towards which the pressure has no limit."""
-    return {end for each in solution.distinct_contacts for end in each.solved.singular_ends}
+    return {end for contact in solution.distinct_contacts for end in contact.solved.singular_ends}
 
 
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
@@ -55,11 +55,11 @@ def mean_over_rollers(suffered: Array, turning: str) -> Array:
 def lamina_life(rated: Rating, means: list[Array], factors: list[Array] | None = None) -> float:
     """Return the life [10^6 revolutions] of rows of laminae, which may last longer by factors."""
     damage = 0.0
-    for number, each in enumerate(means):
-        count = each.shape[1]
+    for number, loads in enumerate(means):
+        count = loads.shape[1]
         capacities = np.array([[rated.inner], [rated.outer]]) * count ** (-7.0 / 9.0)
         longer = np.ones(count) if factors is None else factors[number]
-        damage += float(np.sum(np.sum((each / capacities) ** EXPONENT, axis=0) * longer**-SLOPE))
+        damage += float(np.sum(np.sum((loads / capacities) ** EXPONENT, axis=0) * longer**-SLOPE))
     return damage ** (-1.0 / SLOPE) if damage > 0.0 else math.inf
 
 
@@ -68,13 +68,13 @@ def life_factors(
 ) -> list[Array]:
     """Return a_ISO of every lamina, for each row."""
     limit = contamination * rated.fatigue_limit
-    found = []
-    for row, each in zip(solution.bearing.rows, means, strict=True):
+    factors = []
+    for row, mean in zip(solution.bearing.rows, means, strict=True):
         share = 1.038 * rated.inner / rated.outer
-        both = (each[0] ** EXPONENT + (share * each[1]) ** EXPONENT) / (1.0 + share**EXPONENT)
-        size = 0.323 * rated.rows * row.bearing.rollers * math.cos(row.bearing.nominal_angle) * each.shape[1]
-        found.append(np.array([_factor_at(kappa, limit, load) for load in size * both ** (1.0 / EXPONENT)]))
-    return found
+        both = (mean[0] ** EXPONENT + (share * mean[1]) ** EXPONENT) / (1.0 + share**EXPONENT)
+        size = 0.323 * rated.rows * row.bearing.rollers * math.cos(row.bearing.nominal_angle) * mean.shape[1]
+        factors.append(np.array([_factor_at(kappa, limit, load) for load in size * both ** (1.0 / EXPONENT)]))
+    return factors
 
 
 def _factor_at(kappa: float, limit: float, load: float) -> float:
@@ -86,12 +86,12 @@ def _factor_at(kappa: float, limit: float, load: float) -> float:
 
 def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Array:
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
-    found = np.zeros((*solution.load.shape, laminae))
+    suffered = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        found = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
-        return found * (edge_function(laminae) if edge_stress == "standard" else 1.0)
+        suffered = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
+        return suffered * (edge_function(laminae) if edge_stress == "standard" else 1.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     for row, ring, rollers, contact in solution.distinct_contacts:
         cut = laminae_of(contact, model, row.bearing.effective_interval)
-        found[rollers, ring] = cut.factor * cut.load
-    return found
+        suffered[rollers, ring] = cut.factor * cut.load
+    return suffered

@@ -53,8 +53,8 @@ class Slices:
     def loads(self, approach: Array, tilt: Array) -> Array:
         """Return the loads of the slices [N], shape (n, slices)."""
         depth = np.maximum(approach[:, None] + tilt[:, None] * self.y - self.relief, 0.0)
-        found: Array = self.stiffness * depth**self.exponent
-        return found
+        at_slices: Array = self.stiffness * depth**self.exponent
+        return at_slices
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,8 +65,8 @@ class MapLaw:
 
     def covers(self, approach: Array, tilt: Array) -> Flags:
         """Return which approaches and tilts the map holds."""
-        found = core.map_states(self.map_.table, False, approach, tilt)
-        inside: Flags = found[:, 7] != 0.0
+        states = core.map_states(self.map_.table, False, approach, tilt)
+        inside: Flags = states[:, 7] != 0.0
         return inside
 
 

@@ -150,14 +150,14 @@ def limits(
     viscosity_ratio : float or None
         kappa, if it is known.
     """
-    found = [*_rings(clearance), *_preload(solution)]
+    checks = [*_rings(clearance), *_preload(solution)]
     if rating is not None:
-        found += [
+        checks += [
             *_ribs(solution, rating.static, speed, grease, viscosity_ratio),
             *_least_load(solution, rating, speed),
         ]
-        found += _speed(solution, rating.static, speed)
-    return (*found, *_additives(viscosity_ratio))
+        checks += _speed(solution, rating.static, speed)
+    return (*checks, *_additives(viscosity_ratio))
 
 
 def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, ratio: float | None) -> Iterator[Limit]:

@@ -90,7 +90,7 @@ def oil_viscosity(
     54.26
     """
     remedy = "give it in degC: 40 and 100 are usual"
-    for name, value in (("temperature", temperature), *(("temperatures", each) for each in _two(temperatures))):
+    for name, value in (("temperature", temperature), *(("temperatures", celsius) for celsius in _two(temperatures))):
         finite(name, value, remedy)
         if value <= -_ABSOLUTE:
             raise InputError(name, value, f"lie above {-_ABSOLUTE:g} degC", remedy)
@@ -102,22 +102,22 @@ def oil_viscosity(
     if not thick > thin > _THINNEST:
         condition = f"exceed {_THINNEST:g} mm2/s and be lower where it is warmer"
         raise InputError("viscosities", viscosities, condition, "give them in the order of the temperatures")
-    ends = [math.log(_ABSOLUTE + each) for each in (first, second)]
+    ends = [math.log(_ABSOLUTE + celsius) for celsius in (first, second)]
     slope = (_twice(thin) - _twice(thick)) / (ends[1] - ends[0])
     exponent = _twice(thick) + slope * (math.log(_ABSOLUTE + temperature) - ends[0])
-    found = 10.0 ** min(10.0**exponent, 300.0) - 0.7
-    if not _THINNEST < found < 1e12:
+    viscosity = 10.0 ** min(10.0**exponent, 300.0) - 0.7
+    if not _THINNEST < viscosity < 1e12:
         condition = f"leave the oil with more than {_THINNEST:g} mm2/s, where the equation holds, and fluid"
         raise InputError("temperature", temperature, condition, "give another temperature, or measure the viscosity")
-    return float(found)
+    return float(viscosity)
 
 
 def _two(values: object, name: str = "temperatures") -> tuple[float, float]:
     remedy = "give two, such as (40, 100)"
-    found = numbers(name, values, remedy)  # type: ignore[arg-type]
-    if found.shape != (2,):
+    pair = numbers(name, values, remedy)  # type: ignore[arg-type]
+    if pair.shape != (2,):
         raise InputError(name, values, "be two numbers", remedy)
-    return float(found[0]), float(found[1])
+    return float(pair[0]), float(pair[1])
 
 
 def _twice(viscosity: float) -> float:
@@ -148,8 +148,8 @@ def life_factor(viscosity_ratio: float, relative_limit: float) -> float:
         )
     kappa = min(viscosity_ratio, MOST_RATIO)
     k1, k2 = next((k1, k2) for below, k1, k2 in _BY_RATIO if kappa < below)
-    left = 1.0 - (1.5859 - k1 / kappa**k2) * relative_limit**0.4
-    return MOST_FACTOR if left <= 0.0 else min(MOST_FACTOR, 0.1 * left**-9.185)
+    reduced = 1.0 - (1.5859 - k1 / kappa**k2) * relative_limit**0.4
+    return MOST_FACTOR if reduced <= 0.0 else min(MOST_FACTOR, 0.1 * reduced**-9.185)
 
 
 def reliability_factor(reliability: float) -> float:

@@ -31,9 +31,9 @@ class BearingMaps:
     contacts: tuple[tuple[ContactMap, ContactMap], ...]
 
     def __repr__(self) -> str:
-        pairs = [each for pair in self.contacts for each in pair]
-        error = max(max(each.sampled_error.load, each.sampled_error.moment) for each in pairs)
-        loads = min(each.max_load for each in pairs)
+        pairs = [map_ for pair in self.contacts for map_ in pair]
+        error = max(max(map_.sampled_error.load, map_.sampled_error.moment) for map_ in pairs)
+        loads = min(map_.max_load for map_ in pairs)
         return f"BearingMaps({len(pairs)} contacts, loads up to {newton(loads):.4g}, sampled error {error:.2g})"
 
 
@@ -67,6 +67,6 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
                 with without_accuracy_warnings():
                     known[contact] = contact_map(contact, load=(0.0, load), tilt=(-tilt, tilt), accuracy=accuracy)
     # Of a map a bearing takes loads and moments alone.
-    warn(each for made in known.values() for each in made.findings if each.kind == INACCURATE)
+    warn(finding for made in known.values() for finding in made.findings if finding.kind == INACCURATE)
     pairs = [row.bearing.contacts for row in bearing.rows]
     return BearingMaps(bearing, tuple((known[inner], known[outer]) for inner, outer in pairs))

@@ -37,7 +37,7 @@ class ClearanceRanges:
     @property
     def known(self) -> bool:
         """Whether nothing is left open."""
-        return all(each is None or each.known for each in (self.shaft, self.housing, self.unmounted))
+        return all(limits is None or limits.known for limits in (self.shaft, self.housing, self.unmounted))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -157,13 +157,13 @@ class OperatingClearance(HasFindings):
         return 0.5 * self.clearance / math.tan(contact_angle)
 
     def __repr__(self) -> str:
-        said = [
+        lines = [
             f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
             f"taken by the inner fit {um(self.lost_to_inner_fit):4}, by the outer fit {um(self.lost_to_outer_fit):4}",
             f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
             *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
         ]
-        return plain_text("OperatingClearance", [*said, *self.warnings])
+        return plain_text("OperatingClearance", [*lines, *self.warnings])
 
 
 def _said(name: str, fit: InterferenceFit) -> list[str]:

@@ -25,10 +25,10 @@ _PRELOAD = Quantity(
 
 
 def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
-    found = check_list(name, value, "be True or False for each row", remedy)
-    for way in found:
+    ways = check_list(name, value, "be True or False for each row", remedy)
+    for way in ways:
         flag(name, way, remedy)
-    return tuple(found)
+    return tuple(ways)
 
 
 @input_class(kw_only=True)
@@ -77,7 +77,7 @@ class Paired(Input):
 
     @cross_check("bearings", "clearance")
     def _check_held(self) -> None:
-        if self.clearance and not any(any(each.bears_axially) for each in self.bearings):
+        if self.clearance and not any(any(row.bears_axially) for row in self.bearings):
             condition = "be zero for rows that do not hold the inner ring along the axis"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
 
@@ -99,9 +99,9 @@ class Paired(Input):
     @property
     def rows(self) -> tuple[Row, ...]:
         """The rows in their places."""
-        firsts = accumulate((each.rollers for each in self.bearings[:-1]), initial=0)
+        firsts = accumulate((row.rollers for row in self.bearings[:-1]), initial=0)
         rows = zip(self.bearings, self.x, self.turned, firsts, strict=True)
-        return tuple(Row(each, x, way, 0.5 * self.clearance, first) for each, x, way, first in rows)
+        return tuple(Row(row, x, way, 0.5 * self.clearance, first) for row, x, way, first in rows)
 
 
 @input_class()

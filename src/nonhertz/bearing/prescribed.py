@@ -137,16 +137,16 @@ def one_state(bearing: RollerBearing | Paired, load: BearingLoad) -> Prescribed:
 
 
 def many_states(
-    bearing: RollerBearing | Paired, given: Mapping[str, ArrayLike | None]
+    bearing: RollerBearing | Paired, inputs: Mapping[str, ArrayLike | None]
 ) -> tuple[Prescribed, tuple[int, ...]]:
     """Return what is given of many states, and their shape: arrays along y, x and about z."""
-    rows = {name: numbers(name, each, "give numbers") for name, each in given.items() if each is not None}
+    rows = {name: numbers(name, value, "give numbers") for name, value in inputs.items() if value is not None}
     spread = dict(zip(rows, broadcast("give arrays that fit each other", *rows.values()), strict=True)) if rows else {}
     shape = next(iter(spread.values())).shape if spread else ()
     if not math.prod(shape):
         name = next(iter(rows))
-        raise InputError(name, given[name], "hold at least one number", "give a number or an array of them")
-    flat = {name: each.ravel() for name, each in spread.items()}
+        raise InputError(name, inputs[name], "hold at least one number", "give a number or an array of them")
+    flat = {name: values.ravel() for name, values in spread.items()}
     return _prescribed(bearing, flat, math.prod(shape)), shape
 
 
@@ -190,9 +190,9 @@ def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], co
     return Prescribed(by_force, target)
 
 
-def _refuse_unborne(name: str, borne: bool, way: str, given: tuple[NDArray[np.bool_], Array], where: slice) -> None:
+def _refuse_unborne(name: str, borne: bool, way: str, acting: tuple[NDArray[np.bool_], Array], where: slice) -> None:
     """Refuse a force that the bearing does not bear; where there is none, the ring is held instead."""
-    by_force, target = given
+    by_force, target = acting
     if borne or not np.any(by_force[where]):
         return
     if np.any(target[:, where] != 0.0):

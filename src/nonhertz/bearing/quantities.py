@@ -78,7 +78,7 @@ class SolvedBearing:
     def findings(self) -> tuple[Finding, ...]:
         """What is found about the bearing, its fits if it has any, and its life if it has one."""
         parts = self.solution, self.case.operating_clearance, self.life_or_none
-        return tuple(found for each in parts if each is not None for found in each.findings)
+        return tuple(finding for part in parts if part is not None for finding in part.findings)
 
 
 def _quantities() -> Iterator[Quantity]:
@@ -91,13 +91,13 @@ def _quantities() -> Iterator[Quantity]:
     def life(name: str, label: str, symbol: str, unit: str = LIVES[0], shown: str = LIVES[1]) -> Quantity:
         return Quantity(name, label, symbol, unit, lambda solved: getattr(solved.life, name), shown, within="life")
 
-    yield of("max_load", "largest load of a contact", "N", "load", lambda found: found.load.max())
+    yield of("max_load", "largest load of a contact", "N", "load", lambda solution: solution.load.max())
     yield of("max_pressure", "maximum pressure", "MPa", "max_pressure", _pressure)
     for k, ring in enumerate(RINGS):
         label = f"maximum pressure at the {ring} ring"
         yield of(f"max_pressure_{ring}", label, "MPa", "max_pressure", partial(_pressure, ring=k))
-    yield of("max_rib_load", "largest rib load", "N", "rib_load", lambda found: found.rib_load.max(initial=0.0))
-    yield of("loaded_rollers", "loaded rollers", "", "load", lambda found: np.sum(found.load.min(axis=1) > 0.0))
+    yield of("max_rib_load", "largest rib load", "N", "rib_load", lambda solution: solution.rib_load.max(initial=0.0))
+    yield of("loaded_rollers", "loaded rollers", "", "load", lambda solution: np.sum(solution.load.min(axis=1) > 0.0))
     shown = {"mm": "um", "rad": "mrad"}
     for within, named in (("displacement", DISPLACEMENTS), ("force", FORCES)):
         for k, (name, unit) in enumerate(named.items()):
@@ -123,17 +123,17 @@ def _quantities() -> Iterator[Quantity]:
     yield Quantity("warnings", "warnings", "", "", lambda solved: len(sentences(solved.findings)), within="warnings")
 
 
-def _pressure(found: BearingSolution, ring: int | slice = slice(None)) -> float:
-    return float(found.max_pressure[:, ring].max()) if found.method == "strips" else math.nan
+def _pressure(solution: BearingSolution, ring: int | slice = slice(None)) -> float:
+    return float(solution.max_pressure[:, ring].max()) if solution.method == "strips" else math.nan
 
 
 def _least(solved: SolvedBearing, name: str, ring: int | slice = slice(None)) -> float:
-    found = getattr(solved.films, name, None)
-    return math.nan if found is None else float(np.fmin.reduce(found[:, ring], axis=None))
+    values = getattr(solved.films, name, None)
+    return math.nan if values is None else float(np.fmin.reduce(values[:, ring], axis=None))
 
 
 #: All numbers of a bearing, by name.
-QUANTITIES: dict[str, Quantity] = {each.name: each for each in _quantities()}
+QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _quantities()}
 
 
 def further(solved: SolvedBearing) -> Iterator[tuple[Quantity, float]]:

@@ -158,7 +158,7 @@ def _capacities(row: RollerBearing, rows: int, load: float) -> tuple[float, floa
     """Return Q_ci and Q_ce of a bearing of equal rows with the rating C [N]."""
     if isinstance(row, CylindricalThrustBearing):
         return (thrust_capacity(load / rows**_OF_ROWS, row.rollers),) * 2
-    inner, outer = (each.capacity_of(load, row.rollers, rows=rows) for each in raceways(row))
+    inner, outer = (raceway.capacity_of(load, row.rollers, rows=rows) for raceway in raceways(row))
     return inner, outer
 
 
@@ -216,7 +216,7 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
     rows = [row.bearing for row in bearing.rows]
     for row in rows:
-        of_steel = [is_steel(each.material) for each in (row.roller, row.inner, row.outer)]
+        of_steel = [is_steel(part.material) for part in (row.roller, row.inner, row.outer)]
         if all(of_steel[1:]) and name_of(row.roller.material) == "silicon-nitride":
             condition = "have rollers of bearing steel: hybrid bearings are rated by ISO 20056-1 and -2, not by ISO 281"
             raise InputError("bearing", "with ceramic rollers", condition, "ask the maker for its ratings")
@@ -225,7 +225,7 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         if is_hollow(row.roller):
             condition = "have solid rollers, whose capacities ISO 281 has"
             raise InputError("bearing", "with hollow rollers", condition, "leave the ratings out")
-    if any(not _are_alike(rows[0], each) for each in rows[1:]):
+    if any(not _are_alike(rows[0], row) for row in rows[1:]):
         condition = "have rows of the same kind and size, as the load ratings of ISO 281 are for"
         raise InputError(
             "bearing", "Paired", condition, "rate the rows by themselves, each under its share of the loads"
@@ -238,8 +238,7 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
 
 def _are_alike(one: RollerBearing, other: RollerBearing) -> bool:
     sizes = [
-        (each.roller_diameter, length_of(each), each.pitch, each.nominal_angle, float(each.rollers))
-        for each in (one, other)
+        (row.roller_diameter, length_of(row), row.pitch, row.nominal_angle, float(row.rollers)) for row in (one, other)
     ]
     same = all(math.isclose(a, b, rel_tol=_ALIKE) for a, b in zip(*sizes, strict=True))
     return type(one) is type(other) and same

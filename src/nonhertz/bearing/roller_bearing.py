@@ -260,7 +260,7 @@ class RollerBearing(Input):
     @property
     def kind(self) -> str:
         """What it is in words: a CylindricalRollerBearing is a cylindrical roller bearing."""
-        return "".join(f" {each.lower()}" if each.isupper() else each for each in type(self).__name__).strip()
+        return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(self).__name__).strip()
 
     @property
     def roller_diameter(self) -> float:
@@ -268,8 +268,8 @@ class RollerBearing(Input):
         diameter = self.roller.diameter
         if diameter is None:
             return 0.0
-        found = np.asarray(diameter(np.zeros(1)))[0] if callable(diameter) else diameter
-        return float(found)
+        value = np.asarray(diameter(np.zeros(1)))[0] if callable(diameter) else diameter
+        return float(value)
 
     @property
     def roller_length(self) -> float:
@@ -287,8 +287,8 @@ class RollerBearing(Input):
     @property
     def angles(self) -> Array:
         """Where the rollers are, from y towards z [rad], shape (rollers,)."""
-        found: Array = 2.0 * np.pi * np.arange(self.rollers) / self.rollers
-        return found
+        positions: Array = 2.0 * np.pi * np.arange(self.rollers) / self.rollers
+        return positions
 
     @property
     def nominal_angle(self) -> float:
@@ -338,8 +338,8 @@ class RollerBearing(Input):
 
     def at(self, clearance: str = "likely") -> Self:
         """Return the bearing with the least, likely or greatest clearance of its group in place of that."""
-        found = self.clearance_range.at(clearance)
-        return replace(self, clearance=found) if hasattr(self, "clearance") else self  # type: ignore[call-arg]
+        value = self.clearance_range.at(clearance)
+        return replace(self, clearance=value) if hasattr(self, "clearance") else self  # type: ignore[call-arg]
 
     @property
     def radial_clearance(self) -> float | None:
@@ -413,20 +413,20 @@ class RollerBearing(Input):
         shape, remedy = getattr(self, name), "let it return lengths in mm, one for each angle"
         if shape is None:
             return np.zeros(self.rollers)
-        found = numbers(name, shape(self.angles), remedy)
-        if found.shape != (self.rollers,):
-            raise InputError(name, found.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
-        largest, most = float(np.max(np.abs(found))), MOST_CLEARANCE * self.pitch
+        lengths = numbers(name, shape(self.angles), remedy)
+        if lengths.shape != (self.rollers,):
+            raise InputError(name, lengths.shape, f"return {self.rollers} lengths for {self.rollers} angles", remedy)
+        largest, most = float(np.max(np.abs(lengths))), MOST_CLEARANCE * self.pitch
         if largest > most:
             radius = 0.5 * abs(float(getattr(self, name.removesuffix("_shape")).diameter or 0.0))
             condition = f"deviate from a circle by at most {mm(most):.3g}"
             remedy = "give deviations in mm, positive where there is less room"
-            if np.all(np.abs(found - radius) < 0.1 * radius):
+            if np.all(np.abs(lengths - radius) < 0.1 * radius):
                 condition += ": these are radii of the raceway"
                 difference = {"inner_shape": "each less their mean", "outer_shape": "their mean less each"}[name]
                 remedy = f"give {difference}, positive where there is less room"
             raise InputError(name, largest, condition, remedy)
-        return found
+        return lengths
 
     @property
     def roller_density(self) -> float | None:

@@ -68,27 +68,27 @@ class Waves(Input):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "terms", tuple(sorted(self.terms, key=lambda each: each.waves)))
+        object.__setattr__(self, "terms", tuple(sorted(self.terms, key=lambda wave: wave.waves)))
 
     @cross_check("terms")
     def _check_orders(self) -> None:
         known: set[int] = set()
-        for position, each in enumerate(self.terms, start=1):
-            if each.waves in known:
+        for position, wave in enumerate(self.terms, start=1):
+            if wave.waves in known:
                 remedy = "give each number of waves one amplitude and phase"
-                raise InputError(f"terms[{position}].waves", each.waves, "occur once", remedy)
-            known.add(each.waves)
+                raise InputError(f"terms[{position}].waves", wave.waves, "occur once", remedy)
+            known.add(wave.waves)
 
     def at(self, angle: Array) -> Array:
         """Return the deviation [mm] at angles [rad]."""
-        found = np.zeros_like(angle)
-        for each in self.terms:
-            found += each.amplitude * np.cos(each.waves * (angle - each.phase))
-        return found
+        deviation = np.zeros_like(angle)
+        for wave in self.terms:
+            deviation += wave.amplitude * np.cos(wave.waves * (angle - wave.phase))
+        return deviation
 
     def changed(self, turn: float, factor: float) -> Waves:
         """Return the same turned [rad] and multiplied."""
-        return Waves(tuple(Wave(each.waves, factor * each.amplitude, each.phase + turn) for each in self.terms))
+        return Waves(tuple(Wave(wave.waves, factor * wave.amplitude, wave.phase + turn) for wave in self.terms))
 
 
 @input_class()
@@ -158,7 +158,7 @@ class Deviations(Input):
 
     def changed(self, turn: float, factor: float) -> Deviations:
         """Return the same turned [rad] and multiplied."""
-        angle, deviation = (each + turn for each in self.angle), (factor * each for each in self.deviation)
+        angle, deviation = (value + turn for value in self.angle), (factor * value for value in self.deviation)
         return replace(self, angle=tuple(angle), deviation=tuple(deviation))
 
 
@@ -247,15 +247,15 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
     """
     if not isinstance(terms, Mapping):
         raise InputError("terms", terms, "be a mapping of orders to amplitudes", _TERMS)
-    found = []
+    waves = []
     for order, wave in terms.items():
         place = f"terms[{order!r}]"
         number = whole("order", order, 0, MOST_ORDER, _TERMS)
         row = numbers(place, wave, _TERMS).ravel()
         if row.size not in (1, 2):
             raise InputError(place, wave, "be an amplitude, or an amplitude and an angle", _TERMS)
-        found.append(Wave(number, *row.tolist()))
-    return RingShape((Waves(tuple(found)),))
+        waves.append(Wave(number, *row.tolist()))
+    return RingShape((Waves(tuple(waves)),))
 
 
 def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubic") -> RingShape:
@@ -288,5 +288,5 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     >>> shape([0.5, 3.0, 2 * math.pi]).round(4).tolist()
     [0.005, -0.005, 0.0]
     """
-    given: dict[str, Any] = {"angle": angle, "deviation": deviation, "curve": curve}
-    return RingShape((Deviations(**given),))
+    inputs: dict[str, Any] = {"angle": angle, "deviation": deviation, "curve": curve}
+    return RingShape((Deviations(**inputs),))

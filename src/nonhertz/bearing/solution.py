@@ -147,37 +147,37 @@ class BearingSolution(ReadOnly):
         cls,
         bearing: RollerBearing | Paired,
         method: str,
-        found: States,
+        states: States,
         roller_load: Array,
         edge: tuple[NDArray[np.int64], Array] | None = None,
     ) -> BearingSolution:
         """Return the only state of a bearing."""
-        load, (approach, tilt) = found.load[0], np.moveaxis(found.pose[0, :, :2], -1, 0)
+        load, (approach, tilt) = states.load[0], np.moveaxis(states.pose[0, :, :2], -1, 0)
         edge_rollers, edge_stiffness = edge or (np.zeros(0, dtype=np.int64), np.full(3, np.nan))
         # What is left of the balance of a roller that has lifted off is no load.
         borne = load > NO_LOAD * np.max(load, initial=0.0)
         angles = [
-            np.tile(each.contact_angles if method == "strips" else (each.nominal_angle,) * 2, (each.rollers, 1))
-            for each in (row.bearing for row in bearing.rows)
+            np.tile(of_row.contact_angles if method == "strips" else (of_row.nominal_angle,) * 2, (of_row.rollers, 1))
+            for of_row in (row.bearing for row in bearing.rows)
         ]
         return cls(
             bearing=bearing,
             method=method,
             angle=np.concatenate([row.bearing.angles for row in bearing.rows]),
             load=np.where(borne, load, 0.0)[:, :2],
-            moment=np.where(borne, found.answer[0, ..., 1], 0.0)[:, :2],
+            moment=np.where(borne, states.answer[0, ..., 1], 0.0)[:, :2],
             approach=approach,
             tilt=tilt,
             contact_angle=np.concatenate(angles),
             each_rib_load=np.where(borne, load, 0.0)[:, 2:],
-            displacement=found.ring[0],
-            force=found.force[0],
-            stiffness=found.stiffness[0],
+            displacement=states.ring[0],
+            force=states.force[0],
+            stiffness=states.stiffness[0],
             roller_load=roller_load,
             edge_rollers=edge_rollers,
             edge_stiffness=edge_stiffness,
-            residual=float(found.residual[0]),
-            iterations=int(found.steps[0]),
+            residual=float(states.residual[0]),
+            iterations=int(states.steps[0]),
         )
 
     def __repr__(self) -> str:
@@ -188,7 +188,7 @@ class BearingSolution(ReadOnly):
         force = without_rounding(self.force, 1.0 / lever, float(self.load.sum()))
         moved = without_rounding(self.displacement, lever, float(np.abs(self.approach).max()))
         loaded = np.count_nonzero(self.load.min(axis=1) > 0.0)  # those that both rings press
-        said = [
+        lines = [
             f"{' and '.join(rows)}, by {self.method}",
             f"force {newton(*force[:3])} along x, y, z; moment {newton_mm(*force[3:])} about y, z",
             f"displacement {um(*moved[:3])} along x, y, z; rotation {mrad(*moved[3:])} about y, z",
@@ -197,8 +197,8 @@ class BearingSolution(ReadOnly):
         ]
         if self.method == "strips":
             largest = mpa(*self.max_pressure.max(axis=0), between=" and ")
-            said.append(f"maximum pressure {largest} at the inner and the outer ring")
-        return plain_text("BearingSolution", said)
+            lines.append(f"maximum pressure {largest} at the inner and the outer ring")
+        return plain_text("BearingSolution", lines)
 
     def contact(self, roller: int, ring: str = "inner") -> Solution | None:
         """Return the contact of a roller with a ring, solved by strips for its load and tilt; None if unloaded.
@@ -224,10 +224,10 @@ class BearingSolution(ReadOnly):
     @property
     def rib_load(self) -> Array:
         """Load on the ends of the rollers from the ribs of the inner and the outer ring [N], shape (rollers, 2)."""
-        found = np.zeros(self.load.shape)
+        total = np.zeros(self.load.shape)
         for loads, rib in self.loaded_ribs:
-            found[:, RINGS.index(rib.ring)] += loads
-        return found
+            total[:, RINGS.index(rib.ring)] += loads
+        return total
 
     def rib_contact(self, roller: int, ring: str = "inner") -> PointContact | None:
         """Return the contact of a roller's end with the rib of a ring that bears most, after Hertz; None if unloaded.
@@ -246,7 +246,7 @@ class BearingSolution(ReadOnly):
         """
         roller = self._number_of(roller, ring)
         pressing = [(float(loads[roller]), rib) for loads, rib in self.loaded_ribs if rib.ring == ring]
-        load, rib = max(pressing, key=lambda each: each[0], default=(0.0, None))
+        load, rib = max(pressing, key=lambda pair: pair[0], default=(0.0, None))
         return rib.under(load) if rib is not None and load > 0.0 else None
 
     def place_of(self, roller: int) -> str:
@@ -292,14 +292,14 @@ class BearingSolution(ReadOnly):
     @property
     def loaded_ribs(self) -> list[tuple[Array, RibContact]]:
         """Every rib that bears loads, with that on each roller [N], which is zero on those of other rows."""
-        found = []
+        ribs = []
         for row in self.bearing.rows:
             # Slices ignore the ribs of tapered rows.
             for rib, loads in zip(row.bearing.rib_contacts, self.each_rib_load[row.rollers].T, strict=False):
                 on_all = np.zeros(self.angle.size)
                 on_all[row.rollers] = loads
-                found.append((on_all, rib))
-        return found
+                ribs.append((on_all, rib))
+        return ribs
 
     @cached_property
     def distinct_contacts(self) -> tuple[DistinctContact, ...]:
@@ -312,23 +312,23 @@ class BearingSolution(ReadOnly):
         """
         if self.method != "strips":
             raise InputError("method", self.method, "be 'strips' for pressures", "solve the bearing by strips")
-        size, found = _SAME * float(np.max(np.abs(self.approach), initial=1e-300)), []
+        size, contacts = _SAME * float(np.max(np.abs(self.approach), initial=1e-300)), []
         for row in self.bearing.rows:
             poses = np.stack([self.approach, self.tilt * row.bearing.roller_length], axis=-1)
             for k, contact in enumerate(row.bearing.contacts):
                 alike: dict[tuple[int, ...], list[int]] = {}
                 for j in range(row.rollers.start, row.rollers.stop):
                     if self.load[j, k] > 0.0:
-                        alike.setdefault(tuple(round(each / size) for each in poses[j, k].tolist()), []).append(j)
+                        alike.setdefault(tuple(round(value / size) for value in poses[j, k].tolist()), []).append(j)
                 for rollers in alike.values():
-                    load, tilt = (float(each[rollers[0], k]) for each in (self.load, self.tilt))
+                    load, tilt = (float(values[rollers[0], k]) for values in (self.load, self.tilt))
                     with without_accuracy_warnings():
-                        found.append(DistinctContact(row, k, rollers, solve(contact, load=load, tilt=tilt)))
-        return tuple(found)
+                        contacts.append(DistinctContact(row, k, rollers, solve(contact, load=load, tilt=tilt)))
+        return tuple(contacts)
 
     @cached_property
     def _contacts(self) -> dict[tuple[int, int], Solution]:
-        return {(j, each.ring): each.solved for each in self.distinct_contacts for j in each.rollers}
+        return {(j, contact.ring): contact.solved for contact in self.distinct_contacts for j in contact.rollers}
 
     @property
     def max_pressure(self) -> Array:
@@ -338,8 +338,8 @@ class BearingSolution(ReadOnly):
     @property
     def max_pressure_y(self) -> Array:
         """Where it is along the roller [mm], shape (rollers, 2); NaN where there is no load."""
-        found = self._of_contacts("max_pressure_y")
-        return np.where(self.load > 0.0, found, np.nan)
+        places = self._of_contacts("max_pressure_y")
+        return np.where(self.load > 0.0, places, np.nan)
 
     @property
     def loaded_share(self) -> Array:
@@ -405,9 +405,9 @@ class BearingSolution(ReadOnly):
         if places.ndim != 1 or not places.size:
             raise InputError("y", y, "be a row of numbers", remedy)
         pressure = np.zeros((self.angle.size, places.size))
-        for each in self.distinct_contacts:
-            if (each.row.first, RINGS[each.ring]) == (these.start, ring):
-                pressure[each.rollers] = each.solved.pressure(0.0, places)
+        for contact in self.distinct_contacts:
+            if (contact.row.first, RINGS[contact.ring]) == (these.start, ring):
+                pressure[contact.rollers] = contact.solved.pressure(0.0, places)
         return UnrolledPressure(ring, row, self.angle[these], places, pressure[these])
 
     def plot(self, what: str = "loads", ax: Any = None) -> Any:
@@ -453,14 +453,14 @@ class BearingSolution(ReadOnly):
         for name, quantity in CONTACT_QUANTITIES.items():
             columns[name] = np.full(self.load.size, np.nan) if name in unknown else quantity.get(self).ravel()
         frame = pandas.DataFrame(columns)
-        frame.attrs["units"] = {"angle": "rad"} | {name: each.unit for name, each in CONTACT_QUANTITIES.items()}
+        frame.attrs["units"] = {"angle": "rad"} | {name: quantity.unit for name, quantity in CONTACT_QUANTITIES.items()}
         return frame
 
     def _of_contacts(self, name: str) -> Array:
-        found = np.zeros(self.load.shape)
-        for each in self.distinct_contacts:
-            found[each.rollers, each.ring] = getattr(each.solved, name)
-        return found
+        values = np.zeros(self.load.shape)
+        for contact in self.distinct_contacts:
+            values[contact.rollers, contact.ring] = getattr(contact.solved, name)
+        return values
 
 
 def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
@@ -487,9 +487,9 @@ def slice_loads(solution: BearingSolution, laminae: int = LAMINAE) -> list[tuple
 
     The latter, of shape (rollers, 2, laminae), are those of every contact; zero where it bears none.
     """
-    found = []
+    rows = []
     for row in solution.bearing.rows:
         these, slices = row.rollers, standard_slices(row.bearing, laminae)
         loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel()).reshape(-1, 2, laminae)
-        found.append((slices, np.where(solution.load[these, :, None] > 0.0, loads, 0.0)))
-    return found
+        rows.append((slices, np.where(solution.load[these, :, None] > 0.0, loads, 0.0)))
+    return rows

@@ -115,13 +115,13 @@ def shares_of_revolutions(times: ArrayLike, speeds: ArrayLike) -> tuple[float, .
     (0.75, 0.25)
     """
     remedy = "give one for each load"
-    found = numbers("times", times, remedy), numbers("speeds", speeds, remedy)
-    if found[0].ndim != 1 or found[0].shape != found[1].shape or not found[0].size:
-        raise InputError("speeds", found[1].size, f"be as many as times, {found[0].size}", remedy)
-    for share in found[0].tolist():
+    rows = numbers("times", times, remedy), numbers("speeds", speeds, remedy)
+    if rows[0].ndim != 1 or rows[0].shape != rows[1].shape or not rows[0].size:
+        raise InputError("speeds", rows[1].size, f"be as many as times, {rows[0].size}", remedy)
+    for share in rows[0].tolist():
         positive("times", share, "give shares of the time, above 0 and 1 in all at most")
-    for speed in found[1].tolist():
+    for speed in rows[1].tolist():
         positive("speeds", speed, "give speeds in 1/min, above 0: what stands still has no revolutions")
-    at_most_whole("times", found[0].tolist(), "give shares of the time")
-    turned = found[0] * found[1]
+    at_most_whole("times", rows[0].tolist(), "give shares of the time")
+    turned = rows[0] * rows[1]
     return tuple((turned / turned.sum()).tolist())

@@ -23,5 +23,5 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     low, high = bearing.effective_interval
     y = low + (high - low) * (np.arange(laminae) + 0.5) / laminae
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
-    approach = 0.5 * sum(slice_compliance(each) ** (1.0 / STIFFENING) for each in bearing.contacts)
+    approach = 0.5 * sum(slice_compliance(contact) ** (1.0 / STIFFENING) for contact in bearing.contacts)
     return Slices(y, relief, lamina_stiffness(high - low, laminae, approach**STIFFENING), STIFFENING)

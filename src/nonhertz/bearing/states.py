@@ -57,20 +57,20 @@ class BearingSolutions(ReadOnly):
 
     @classmethod
     def of(
-        cls, bearing: RollerBearing | Paired, method: str, found: States, roller_load: Array, shape: tuple[int, ...]
+        cls, bearing: RollerBearing | Paired, method: str, states: States, roller_load: Array, shape: tuple[int, ...]
     ) -> BearingSolutions:
         """Return the states of a bearing in an array of a shape."""
-        load = found.load[..., :2]
-        most = np.max(found.load, axis=(1, 2), keepdims=True)
+        load = states.load[..., :2]
+        most = np.max(states.load, axis=(1, 2), keepdims=True)
         return cls(
             bearing=bearing,
             method=method,
-            displacement=found.ring.reshape(*shape, 5),
-            force=found.force.reshape(*shape, 5),
-            stiffness=found.stiffness.reshape(*shape, 5, 5),
+            displacement=states.ring.reshape(*shape, 5),
+            force=states.force.reshape(*shape, 5),
+            stiffness=states.stiffness.reshape(*shape, 5, 5),
             load=np.where(load > NO_LOAD * most, load, 0.0).reshape(*shape, *load.shape[1:]),
-            converged=found.settled(TOLERANCE).reshape(shape),
-            _states=found,
+            converged=states.settled(TOLERANCE).reshape(shape),
+            _states=states,
             _roller_load=roller_load,
         )
 

@@ -64,8 +64,8 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
     if ends := singular_ends(solution):
         condition = f"have ends at which the pressure has a limit, and has none towards {ends_in_words(ends)}"
         raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
-    contacts = [each.solved for each in solution.distinct_contacts]
-    return _factor(max(contacts, key=lambda each: each.max_pressure), limit) if contacts else math.inf
+    contacts = [contact.solved for contact in solution.distinct_contacts]
+    return _factor(max(contacts, key=lambda contact: contact.max_pressure), limit) if contacts else math.inf
 
 
 def _factor(contact: Solution, limit: float) -> float:

@@ -88,24 +88,24 @@ class ForceTable(ReadOnly):
             for name, axis in zip(self.names, self.axes, strict=True)
         ]
         at = f", at {format_input(self.speed)} 1/min of the {self.turning} ring" if self.speed else ""
-        said = [
+        lines = [
             f"{' and '.join(rows)}, by {self.method}{at}",
             "; ".join(grid),
             f"{np.count_nonzero(self.converged)} of {self.converged.size} states converged",
         ]
         if self.checked_force.size:
-            said.append(f"interpolated linearly, sampled error {self._share()}")
-        return plain_text("ForceTable", said)
+            lines.append(f"interpolated linearly, sampled error {self._share()}")
+        return plain_text("ForceTable", lines)
 
     def _share(self) -> str:
         """Return the sampled errors over the largest forces and moments in words."""
         off = self.sampled_error()
-        found = []
+        parts = []
         for what, where in (("force", slice(0, 3)), ("moment", slice(3, 5))):
             largest = float(np.max(np.abs(np.nan_to_num(self.force[..., where]))))
             if largest > 0.0:
-                found.append(f"{format_digits(100.0 * float(np.max(off[where])) / largest, 2)} % of the largest {what}")
-        return " and ".join(found) or "0 %"
+                parts.append(f"{format_digits(100.0 * float(np.max(off[where])) / largest, 2)} % of the largest {what}")
+        return " and ".join(parts) or "0 %"
 
     def interpolated(
         self,
@@ -144,15 +144,15 @@ class ForceTable(ReadOnly):
             if (value is not None) is not (name in self.names):
                 condition = "be given" if value is None else "be left out: it does not vary in the table"
                 raise InputError(name, value, condition, remedy)
-        asked = [numbers(name, motions[name], "give numbers in mm and rad") for name in self.names]  # type: ignore[arg-type]
-        at = np.stack(broadcast(remedy, *asked), axis=-1)
+        places = [numbers(name, motions[name], "give numbers in mm and rad") for name in self.names]  # type: ignore[arg-type]
+        at = np.stack(broadcast(remedy, *places), axis=-1)
         for name, axis, values in zip(self.names, self.axes, np.moveaxis(at, -1, 0), strict=True):
             beyond = np.flatnonzero((values.ravel() < axis[0]) | (values.ravel() > axis[-1]))
             if beyond.size:
                 condition = f"lie in the range of the table, {axis[0]:.6g} to {axis[-1]:.6g}"
                 raise InputError(name, float(values.ravel()[beyond[0]]), condition, "make a table of a wider range")
-        found: Array = self._between(kind, at)
-        return found
+        force: Array = self._between(kind, at)
+        return force
 
     def sampled_error(self, kind: Kind = "linear") -> Array:
         """Return how far interpolated forces and moments were from solved ones in the middle of cells.
@@ -184,8 +184,8 @@ class ForceTable(ReadOnly):
         # Imported here, because most bearings need no table.
         from scipy.interpolate import RegularGridInterpolator
 
-        found: Array = RegularGridInterpolator(self.axes, self.force, method=kind)(at)
-        return found.reshape(*at.shape[:-1], 5)
+        force: Array = RegularGridInterpolator(self.axes, self.force, method=kind)(at)
+        return force.reshape(*at.shape[:-1], 5)
 
     def _check_kind(self, kind: Kind) -> None:
         one_of("kind", kind, KINDS, "use 'linear', or 'cubic' for a spline")
@@ -253,19 +253,19 @@ def table(
     >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
     >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
     >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
-    >>> found = table(row, y=np.linspace(0, 0.03, 7), about_z=np.linspace(-1e-3, 1e-3, 5), method="slices")
-    >>> found.force.shape, found.interpolated(y=0.012, about_z=0)[1].round(-2)
+    >>> forces = table(row, y=np.linspace(0, 0.03, 7), about_z=np.linspace(-1e-3, 1e-3, 5), method="slices")
+    >>> forces.force.shape, forces.interpolated(y=0.012, about_z=0)[1].round(-2)
     ((7, 5, 5), np.float64(5000.0))
     """
     count = whole("checks", checks, 0, MOST_STATES, "give the number of cells to check, 200 say")
     motions = dict(zip(MOTIONS, (x, y, z, about_y, about_z), strict=True))
     values = {name: _values(name, value) for name, value in motions.items()}
-    names = tuple(name for name, found in values.items() if found.ndim)
+    names = tuple(name for name, axis in values.items() if axis.ndim)
     if not names:
         raise InputError(
             "y", motions["y"], "be an array if no other motion is", "give the values of one motion or more"
         )
-    states = math.prod(found.size for found in values.values())
+    states = math.prod(axis.size for axis in values.values())
     if states > MOST_STATES:
         condition = f"be at most {MOST_STATES} points, not {states}"
         raise InputError("grid of " + ", ".join(names), "too large", condition, "give fewer values")
@@ -275,7 +275,7 @@ def table(
     axes = tuple(values[name] for name in names)
     grid = _grid(values)
     force, stiffness, converged = _solved(bearing, grid.reshape(-1, 5), options)
-    middles = _grid({name: 0.5 * (found[1:] + found[:-1]) if found.ndim else found for name, found in values.items()})
+    middles = _grid({name: 0.5 * (axis[1:] + axis[:-1]) if axis.ndim else axis for name, axis in values.items()})
     middles = middles.reshape(-1, 5)
     if count < len(middles):
         middles = middles[np.sort(np.random.default_rng(0).choice(len(middles), count, replace=False))]
@@ -304,18 +304,18 @@ def table(
 def _values(name: str, value: ArrayLike) -> Array:
     """Return a number, or the values along an axis."""
     remedy = "give a number, or ascending ones"
-    found = numbers(name, value, remedy)
-    if found.ndim and (found.ndim > 1 or found.size < 2 or np.any(np.diff(found) <= 0.0)):
+    axis = numbers(name, value, remedy)
+    if axis.ndim and (axis.ndim > 1 or axis.size < 2 or np.any(np.diff(axis) <= 0.0)):
         raise InputError(name, value, "be a number or two or more that ascend", remedy)
-    return found.copy()
+    return axis.copy()
 
 
 def _grid(values: dict[str, Array]) -> Array:
     """Return all motions at the points of a grid, of shape (..., 5)."""
-    axes = [found for found in values.values() if found.ndim]
+    axes = [value for value in values.values() if value.ndim]
     spread = iter(np.meshgrid(*axes, indexing="ij"))
     shape = tuple(axis.size for axis in axes)
-    return np.stack([next(spread) if found.ndim else np.full(shape, found) for found in values.values()], axis=-1)
+    return np.stack([next(spread) if value.ndim else np.full(shape, value) for value in values.values()], axis=-1)
 
 
 def _solved(
@@ -325,9 +325,9 @@ def _solved(
     parts = []
     together = _BY_STRIPS if options["method"] == "strips" and options["maps"] is None else _TOGETHER
     for first in range(0, len(displacement), together):
-        found = solve_many(bearing, displacement=displacement[first : first + together], **options)
-        settled = found.converged
-        force = np.where(settled[:, None], found.force, np.nan)
-        parts.append((force, np.where(settled[:, None, None], found.stiffness, np.nan), settled))
+        solutions = solve_many(bearing, displacement=displacement[first : first + together], **options)
+        settled = solutions.converged
+        force = np.where(settled[:, None], solutions.force, np.nan)
+        parts.append((force, np.where(settled[:, None, None], solutions.stiffness, np.nan), settled))
     force, stiffness, converged = (np.concatenate(part) for part in zip(*parts, strict=True))
     return force, stiffness, converged

@@ -127,17 +127,17 @@ def solve(
     6840.0
     """
     solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
-    given: dict[str, Any] = {
+    inputs: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
     bearing = adjusted(bearing, method, laminae)
-    system, found = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**given)))
-    if not found.settled(TOLERANCE)[0]:
-        words = f"No equilibrium of rollers and rings was found in {found.steps[0]} steps"
+    system, states = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**inputs)))
+    if not states.settled(TOLERANCE)[0]:
+        words = f"No equilibrium of rollers and rings was found in {states.steps[0]} steps"
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
-    solution = BearingSolution.of(bearing, method, found, loaded, at_edge(system, found))
+    solution = BearingSolution.of(bearing, method, states, loaded, at_edge(system, states))
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
@@ -188,12 +188,12 @@ def solve_many(
         If the input is invalid.
     """
     solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
-    given = {
+    inputs = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
     bearing = adjusted(bearing, method, laminae)
-    acting, shape = many_states(bearing, given) if displacement is None else motions(displacement, given)
+    acting, shape = many_states(bearing, inputs) if displacement is None else motions(displacement, inputs)
     _, states = _solved(bearing, loaded, solver, maps, acting, thread_count(threads))
     return BearingSolutions.of(bearing, method, states, loaded, shape)
 
@@ -249,14 +249,14 @@ def _checked(
         if method != "strips":
             raise InputError("maps", maps, "not be given with slices", "leave out method")
     rows = [row.bearing for row in bearing.rows]
-    pitch = max(each.pitch for each in rows)
+    pitch = max(row.pitch for row in rows)
     if 0.5 * pitch * rate > _MOST_RIM_SPEED:
         condition = (
             f"not exceed {2.0 * _MOST_RIM_SPEED / (pitch * PER_MINUTE):.3g} 1/min on a pitch circle of "
             f"{mm(pitch):g}, twice the speed at which rings of steel burst"
         )
         raise InputError("speed", speed, condition, "give that of the ring that turns in 1/min")
-    return solver, np.concatenate([np.tile(each.load_by_speed(rate, turning), (each.rollers, 1)) for each in rows])
+    return solver, np.concatenate([np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows])
 
 
 def _solved(
@@ -271,26 +271,26 @@ def _solved(
     count = solver.laminae if sliced else GUIDING_SLICES
     laws: list[Any] = [(standard_slices(row.bearing, count),) * 2 for row in bearing.rows]
     if maps is not None:
-        laws = [[MapLaw(each) for each in pair] for pair in maps.contacts]
+        laws = [[MapLaw(map_) for map_ in pair] for pair in maps.contacts]
     system = joined(bearing, load, laws, nominal=sliced)
-    found = balanced(system, by_force, target, start, depth, threads=threads)
+    states = balanced(system, by_force, target, start, depth, threads=threads)
     if maps is not None:
-        _refuse_beyond(bearing, laws, found)
+        _refuse_beyond(bearing, laws, states)
     if sliced or maps is not None:
-        return system, found
+        return system, states
     # Whether loads can be balanced depends on where and in which directions rollers press, not on how stiff they are:
     # what slices find no balance for, strips would look for in vain, pressed ever deeper.
-    held = np.flatnonzero(found.residual <= UNBALANCED)
-    if not held.size:
-        return system, found
-    near, target = found.portion(held), target[held]
+    in_balance = np.flatnonzero(states.residual <= UNBALANCED)
+    if not in_balance.size:
+        return system, states
+    near, target = states.portion(in_balance), target[in_balance]
     # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
     # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to
     # where springs would have them.
     idle = ~(near.load[:, :, :1] > 0.0)
     motion = np.where(idle, near.motion, np.nan)
-    contacts = [[stripped(each) for each in row.bearing.contacts] for row in bearing.rows]
-    few, many = ([core.StripLaw(each, strips) for each in contacts] for strips in (ROUGH_STRIPS, None))
+    contacts = [[stripped(contact) for contact in row.bearing.contacts] for row in bearing.rows]
+    few, many = ([core.StripLaw(contact, strips) for contact in contacts] for strips in (ROUGH_STRIPS, None))
     coarse, fine = (joined(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
     near = balanced(coarse, by_force, target, near.ring, depth, NEARBY, motion)
     near = balanced(fine, by_force, target, near.ring, depth, NEARBY, near.motion)
@@ -298,18 +298,18 @@ def _solved(
     for law in many:
         law.lay_anew()
     near = balanced(fine, by_force, target, near.ring, depth, motion=near.motion)
-    for into, each in zip(found, near, strict=True):
-        into[held] = each
-    return fine, found
+    for into, values in zip(states, near, strict=True):
+        into[in_balance] = values
+    return fine, states
 
 
-def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], found: States) -> None:
+def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], states: States) -> None:
     """Refuse states whose contacts the maps do not hold."""
     for row, pair in zip(bearing.rows, laws, strict=True):
         for k, law in enumerate(pair):
-            approach, tilt = (found.pose[:, row.rollers, k, each].ravel() for each in range(2))
-            if not np.all(law.covers(approach, tilt) | (found.load[:, row.rollers, k].ravel() == 0.0)):
-                load, turned = float(found.load.max()), float(np.abs(found.pose[..., 1]).max())
+            approach, tilt = (states.pose[:, row.rollers, k, column].ravel() for column in range(2))
+            if not np.all(law.covers(approach, tilt) | (states.load[:, row.rollers, k].ravel() == 0.0)):
+                load, turned = float(states.load.max()), float(np.abs(states.pose[..., 1]).max())
                 condition = (
                     f"reach to loads of {newton(load):.4g} and tilts of {turned:.4g} rad, which these states have"
                 )
@@ -327,7 +327,7 @@ def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     length = min(row.roller_length for row in rows)
     by_load = float((most / roller_stiffness(length)) ** (1.0 / STIFFENING))
     moved = float(np.max(np.where(by_force, 0.0, np.abs(target * reach)), initial=0.0))
-    gap = max(float(np.max(np.abs(each))) for row in bearing.rows for each in row.gaps)
+    gap = max(float(np.max(np.abs(gaps))) for row in bearing.rows for gaps in row.gaps)
     return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap
 
 
