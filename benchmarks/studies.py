@@ -21,7 +21,7 @@ import numpy as np
 from machine import machine
 
 import nonhertz as nh
-from nonhertz.life import LoadCase
+from nonhertz.life import ContactLoadCase
 
 OUT = Path(__file__).resolve().parents[1] / "docs" / "benchmarks"
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
@@ -52,10 +52,10 @@ def case() -> nh.Case:
     return nh.Case.of(document, Path("roller.toml"))
 
 
-def loads() -> list[LoadCase]:
+def loads() -> list[ContactLoadCase]:
     """Return three loads at three tilts."""
     return [
-        LoadCase(load=load, share=1.0 / 9.0, tilt=minutes * ARC_MINUTE)
+        ContactLoadCase(load=load, share=1.0 / 9.0, tilt=minutes * ARC_MINUTE)
         for load in (5e3, 15e3, 30e3)
         for minutes in (0, 1, 2)
     ]
@@ -88,7 +88,7 @@ def designs() -> list[dict[str, Any]]:
 
 def uniform() -> dict[str, float]:
     """Return how even the pressure under the best free form for one load is, over 90 % of the land."""
-    design = nh.design.best(case(), vary=FREE, loads=[LoadCase(load=15e3, share=1.0)])
+    design = nh.design.best(case(), vary=FREE, loads=[ContactLoadCase(load=15e3, share=1.0)])
     solution = nh.solve(design.case.contact, load=15e3)
     inner = solution.centre_pressure[np.abs(solution.y) <= 0.9 * 9.5]
     return {"unevenness": float(np.ptp(inner) / inner.mean()), "largest": float(inner.max())}

@@ -18,7 +18,7 @@ roller = nh.Roller(diameter=20, length=20, corner_radius=0.5, profile=nh.profile
 contact = nh.Contact(roller, nh.Ring(diameter=80, length=24))
 # A tenth of a percent is enough to tell designs apart, and a third of the work.
 case = nh.Case(contact, {"load": 20e3}, {"accuracy": 1e-3}, title="Roller 20 x 20")
-LOADS = [nh.life.LoadCase(load=load, share=0.25, tilt=tilt) for load in (10e3, 20e3) for tilt in (0.0, 0.5e-3)]
+LOADS = [nh.life.ContactLoadCase(load=load, share=0.25, tilt=tilt) for load in (10e3, 20e3) for tilt in (0.0, 0.5e-3)]
 
 # %%
 # A crown

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -19,7 +20,9 @@ def dir_of(module: str) -> Dir:
     return lambda: sorted(sys.modules[module].__all__)
 
 
-def attach(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable[[str], Any], Dir]:
+def attach(
+    package: str, homes: Mapping[str, tuple[str, ...]], renamed: Mapping[str, str] | None = None
+) -> tuple[Callable[[str], Any], Dir]:
     """Return ``__getattr__`` and ``__dir__`` of a package.
 
     Parameters
@@ -28,10 +31,16 @@ def attach(package: str, homes: Mapping[str, tuple[str, ...]]) -> tuple[Callable
         Its name.
     homes : mapping of str to tuple of str
         Its modules, and which of their names are the package's own, too.
+    renamed : mapping of str to str, optional
+        Old names, which work for one release with a DeprecationWarning, and the names in their place.
     """
     home = {name: f"{package}.{module}" for module, names in homes.items() for name in names}
 
     def attribute(name: str) -> Any:
+        if renamed and name in renamed:
+            message = f"{package}.{name} is now {package}.{renamed[name]}; the old name goes with the next release"
+            warnings.warn(message, DeprecationWarning, stacklevel=2)
+            return getattr(sys.modules[package], renamed[name])
         if name in homes:
             return importlib.import_module(f"{package}.{name}")
         if name not in home:

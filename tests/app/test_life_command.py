@@ -18,7 +18,7 @@ from nonhertz.amounts import format_digits
 from nonhertz.cli import main
 from nonhertz.files.casefile import read_case
 from nonhertz.files.schemas import schema_of
-from nonhertz.life import LoadCase, assess, ioannides_harris, solve_spectrum
+from nonhertz.life import ContactLoadCase, assess, ioannides_harris, solve_spectrum
 
 pytestmark = pytest.mark.slow
 
@@ -131,7 +131,9 @@ def test_another_case_is_compared_by_the_models_of_the_first(case, run):
     assert compared["models"][0]["parameters"]["laminae"] == 60
     problem = read_case(other)
     (of_first,) = assess(solved(case), "iso-16281", body="b")
-    spectrum = solve_spectrum(problem.contact, [LoadCase(load=q, tilt=t, share=u) for q, t, u in LOADS], strips=15)
+    spectrum = solve_spectrum(
+        problem.contact, [ContactLoadCase(load=q, tilt=t, share=u) for q, t, u in LOADS], strips=15
+    )
     (of_other,) = assess(spectrum, "iso-16281", body="b")
     assert compared["models"][0]["ratio"] == dict.fromkeys("ab", of_first.over(of_other))
     assert abs(compared["models"][0]["ratio"]["b"] - 1.0) > 1e-3

@@ -67,7 +67,7 @@ LOADED = bearing.solve(ROW, radial=3e3)
 FORCES = bearing.table(ROW, y=[0.0, 0.01], method="slices", checks=1)
 CONE = nh.Roller(diameter=nh.TabulatedDiameter((-5.0, 5.0), (9.4, 8.6)), length=10.0, profile=nh.profile.crown(1000))
 RACEWAY = life.Raceway(10.0, 9.6, 65.0, True)
-CASES = [life.LoadCase(load=1e3, share=1.0)]
+CASES = [life.ContactLoadCase(load=1e3, share=1.0)]
 Y = np.linspace(-10.0, 10.0, 401)
 TRACE = measured.Trace(Y, -(Y**2) / 4000.0)
 MEASURED = measured.Measured(TRACE)
@@ -196,7 +196,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "bearing.shares_of_revolutions": {"times": [0.5, 0.5], "speeds": [1e3, 2e3]},
     "bearing.solve": SLICED | {"radial": 1e3},
     "bearing.solve_many": SLICED | {"radial": [1e3]},
-    "bearing.solve_spectrum": SLICED | {"cases": [bearing.LoadCase(share=1.0, radial=3e3)]},
+    "bearing.solve_spectrum": SLICED | {"cases": [bearing.BearingLoadCase(share=1.0, radial=3e3)]},
     "bearing.table": SLICED | {"x": 0.0, "y": [0.0, 0.01], "z": 0.0, "checks": 1},
     "bearing.tabulated_shape": {"angle": [0.0, 1.0, 2.0], "curve": "linear"},
     "bearing.volume_life": {"solution": LOADED, "model": "zaretsky"},

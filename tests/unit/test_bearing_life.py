@@ -146,7 +146,10 @@ def test_the_ring_that_stands_still_suffers_more_from_a_load_on_few_rollers():
 
 
 def test_a_spectrum_lives_as_palmgren_and_miner_say():
-    cases = [B.LoadCase(share=0.25, radial=8e3, speed=1500.0), B.LoadCase(share=0.75, radial=4e3, speed=500.0)]
+    cases = [
+        B.BearingLoadCase(share=0.25, radial=8e3, speed=1500.0),
+        B.BearingLoadCase(share=0.75, radial=4e3, speed=500.0),
+    ]
     pairs = B.solve_spectrum(row(), cases, method="slices")
     oil = {"viscosity": 40.0, "cleanliness": "-/17/14", "reliability": 0.95}
     both = B.assess(pairs, speed=[1500.0, 500.0], **oil)
@@ -172,7 +175,7 @@ def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():
     with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
         B.assess([(found, 0.6), (found, 0.6)])
     with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
-        B.solve_spectrum(row(), [B.LoadCase(share=0.6, radial=1e3)] * 2)
+        B.solve_spectrum(row(), [B.BearingLoadCase(share=0.6, radial=1e3)] * 2)
     other = B.solve(row(rollers=12), radial=6e3, method="slices")
     with pytest.raises(nh.InputError, match="solution = 'several' must all be of one bearing"):
         B.assess([(found, 0.5), (other, 0.5)])

@@ -406,8 +406,8 @@ def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
     text += f'[life]\nturning = "outer"\n{SPECTRUM}'
     case = read(text)
     cases = [
-        nh.bearing.LoadCase(share=0.1, radial=20e3, speed=500.0),
-        nh.bearing.LoadCase(share=0.6, radial=6e3, tilt=2e-4, speed=1000.0),
+        nh.bearing.BearingLoadCase(share=0.1, radial=20e3, speed=500.0),
+        nh.bearing.BearingLoadCase(share=0.6, radial=6e3, tilt=2e-4, speed=1000.0),
     ]
     pairs = nh.bearing.solve_spectrum(case.bearing, cases, turning="outer", method="slices")
     expected = nh.bearing.assess(pairs, viscosity=60.0, speed=[500.0, 1000.0], turning="outer")

@@ -20,7 +20,7 @@ import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case, starting_case
 from nonhertz.files.schemas import schema_of
-from nonhertz.life import MODELS, LoadCase, ioannides_harris, iso_16281, zaretsky
+from nonhertz.life import MODELS, ContactLoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.model.profile import CATALOGUE
 
 PRINTED = Path(__file__).parents[2].joinpath("examples", "crowned-roller.toml").read_text(encoding="utf-8")
@@ -292,7 +292,7 @@ def test_a_life_table_holds_models_and_a_spectrum():
     life = Case.of(WHOLE, Path()).life
     assert life.contact_angle == pytest.approx(np.radians(12.0))
     assert (life.rollers, life.models) == (14, ("zaretsky", "iso-16281"))
-    assert life.spectrum == (LoadCase(load=10e3, share=0.25, tilt=-1e-3), LoadCase(load=5e3, share=0.75))
+    assert life.spectrum == (ContactLoadCase(load=10e3, share=0.25, tilt=-1e-3), ContactLoadCase(load=5e3, share=0.75))
     volume, laminae = life.build_models()
     assert volume == zaretsky(slope=1.5)
     assert laminae == iso_16281(laminae=40, edge_stress="none", line_loads="standard")

@@ -23,7 +23,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000), side_faces="none", depth="none")
 PLATE = nh.Plate(side_faces="none", depth="none")
 CASE = nh.Case(nh.Contact(ROLLER, PLATE), {"load": 20e3}, {"strips": 41})
-LOADS = [nh.life.LoadCase(load=20e3, share=0.7), nh.life.LoadCase(load=20e3, share=0.3, tilt=0.7e-3)]
+LOADS = [nh.life.ContactLoadCase(load=20e3, share=0.7), nh.life.ContactLoadCase(load=20e3, share=0.3, tilt=0.7e-3)]
 RADIUS = {"body.a.profile.radius": "1500 mm : 30000 mm"}
 
 

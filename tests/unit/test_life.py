@@ -11,7 +11,7 @@ import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import (
     MODELS,
-    LoadCase,
+    ContactLoadCase,
     Raceway,
     VolumeModel,
     assess,
@@ -83,7 +83,7 @@ def test_the_parameters_are_those_of_the_publications():
         (lambda: ioannides_harris(stress="von_mises"), "stress = 'von_mises' must be 'orthogonal_shear' where depth_e"),
         (lambda: VolumeModel("own", "shear", 9.0, 1.0, 1.1, 0.0, "none"), "stress = 'shear' must be 'orthogonal_shear"),
         (lambda: iso_16281(laminae=29), "laminae = 29 must be a whole number from 30 to 2000"),
-        (lambda: LoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
+        (lambda: ContactLoadCase(load=1.0, share=1.2), "share = 1.2 must not exceed 1"),
         (lambda: solve_spectrum(nh.Contact(roller(), RING), []), "cases = [] must be load cases"),
     ],
 )
@@ -367,7 +367,7 @@ def test_a_plane_grid_leaves_out_sharp_ends_too():
 @pytest.mark.parametrize("model", [pytest.param("lundberg-palmgren", marks=pytest.mark.slow), "iso-16281"])
 def test_a_spectrum_adds_damage_as_palmgren_and_miner_do(model):
     contact = nh.Contact(roller(), RING)
-    cases = [LoadCase(load=8e3, share=0.25, tilt=5e-4), LoadCase(load=5e3, share=0.75)]
+    cases = [ContactLoadCase(load=8e3, share=0.25, tilt=5e-4), ContactLoadCase(load=5e3, share=0.75)]
     spectrum = solve_spectrum(contact, cases, strips=15)
     (life,) = assess(spectrum, model, rollers=12, body="b")
     alone = [assess(solution, model, rollers=12, body="b")[0] for solution, _ in spectrum]

@@ -2,6 +2,7 @@
 
 import importlib
 import inspect
+import pkgutil
 
 import pytest
 
@@ -45,3 +46,26 @@ def test_a_new_bearing_is_that_of_the_file_that_new_writes(template, tmp_path):
     assert nh.new_bearing(template).bearing == nh.read_bearing(path).bearing
     with pytest.raises(nh.InputError, match="template"):
         nh.new_bearing("ball")
+
+
+def _packages():
+    modules = pkgutil.walk_packages(nh.__path__, "nonhertz.")
+    return ["nonhertz", *(module.name for module in modules if module.ispkg)]
+
+
+@pytest.mark.parametrize("name", _packages())
+def test_no_public_name_of_a_package_is_that_of_one_of_its_modules(name):
+    package = importlib.import_module(name)
+    modules = {module.name: importlib.import_module(f"{name}.{module.name}") for module in _modules_of(package)}
+    public = {*dir(package), *vars(package)} & set(modules)
+    assert not [short for short in public if getattr(package, short) is not modules[short]]
+
+
+def _modules_of(package):
+    return [module for module in pkgutil.iter_modules(package.__path__) if module.name[0] not in "_0123456789"]
+
+
+def test_a_name_that_was_renamed_works_for_one_release():
+    with pytest.warns(DeprecationWarning, match=r"nonhertz\.bearing\.LoadCase is now nonhertz\.bearing\.BearingLoadC"):
+        assert nh.bearing.LoadCase is nh.bearing.BearingLoadCase
+    assert "LoadCase" not in dir(nh.bearing)

@@ -16,7 +16,7 @@ from nonhertz.files.contact_results import as_object
 from nonhertz.files.results import key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
 from nonhertz.files.toml import to_toml
-from nonhertz.life import LoadCase
+from nonhertz.life import ContactLoadCase
 from nonhertz.model.profile import CATALOGUE, Profile
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -138,7 +138,7 @@ def test_every_kind_of_body_comes_back(name):
 
 
 def test_options_and_life_come_back():
-    spectrum = (LoadCase(load=5e3, share=0.25), LoadCase(load=2e3, share=0.75))
+    spectrum = (ContactLoadCase(load=5e3, share=0.25), ContactLoadCase(load=2e3, share=0.75))
     life = Life(rollers=14, models=("iso-16281",), laminae=40, spectrum=spectrum)
     case = dataclasses.replace(made(), solver={"element": "parabolic", "strips": 41}, life=life)
     assert back(case) == case

@@ -63,7 +63,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.shapes import tabulated_shape as tabulated_shape
     from nonhertz.bearing.solution import BearingSolution as BearingSolution
     from nonhertz.bearing.solution import UnrolledPressure as UnrolledPressure
-    from nonhertz.bearing.spectrum import LoadCase as LoadCase
+    from nonhertz.bearing.spectrum import BearingLoadCase as BearingLoadCase
     from nonhertz.bearing.spectrum import shares_of_revolutions as shares_of_revolutions
     from nonhertz.bearing.spectrum import solve_spectrum as solve_spectrum
     from nonhertz.bearing.states import BearingSolutions as BearingSolutions
@@ -110,11 +110,12 @@ __getattr__, __dir__ = attach(
         "seats": ("Housing", "Shaft"),
         "shapes": ("RingShape", "fourier_shape", "tabulated_shape"),
         "solution": ("BearingSolution", "UnrolledPressure"),
-        "spectrum": ("LoadCase", "shares_of_revolutions", "solve_spectrum"),
+        "spectrum": ("BearingLoadCase", "shares_of_revolutions", "solve_spectrum"),
         "states": ("BearingSolutions",),
         "static": ("pressure_safety",),
         "tables": ("ForceTable", "table"),
         "toleranced": ("Tolerances",),
         "verb": ("solve", "solve_many"),
     },
+    {"LoadCase": "BearingLoadCase"},
 )

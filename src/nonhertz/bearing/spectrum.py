@@ -24,7 +24,7 @@ _SHARE = "give the share of the revolutions, above 0 and at most 1"
 
 
 @input_class(kw_only=True)
-class LoadCase(BearingLoad):
+class BearingLoadCase(BearingLoad):
     """A load on a bearing, carried for a share of the revolutions, as in `nonhertz.bearing.solve`.
 
     From shares of the time those of the revolutions are found by `shares_of_revolutions`.
@@ -47,7 +47,7 @@ class LoadCase(BearingLoad):
 
 def solve_spectrum(
     bearing: RollerBearing | Paired,
-    cases: Sequence[LoadCase],
+    cases: Sequence[BearingLoadCase],
     *,
     turning: str = "inner",
     method: Method = "strips",
@@ -60,7 +60,7 @@ def solve_spectrum(
     ----------
     bearing : RollerBearing or Paired
         The bearing.
-    cases : sequence of LoadCase
+    cases : sequence of BearingLoadCase
         The loads. Where their shares add up to less than 1, nothing is loaded for the rest.
     turning, method, laminae, maps
         As in `solve`.
@@ -83,12 +83,13 @@ def solve_spectrum(
     >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
     >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
     >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
-    >>> cases = [LoadCase(share=0.2, radial=10e3, speed=1500), LoadCase(share=0.8, radial=4e3, speed=1500)]
+    >>> loads = {0.2: 10e3, 0.8: 4e3}
+    >>> cases = [BearingLoadCase(share=share, radial=radial, speed=1500) for share, radial in loads.items()]
     >>> pairs = solve_spectrum(row, cases, method="slices")
     >>> round(nh.bearing.assess(pairs).equivalent_load, -1)
     6500.0
     """
-    cases = check_cases("cases", cases, LoadCase)
+    cases = check_cases("cases", cases, BearingLoadCase)
     at_most_whole("share", [case.share for case in cases], "give all loads with their shares of the revolutions")
     options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)

@@ -18,7 +18,7 @@ from nonhertz.bearing.oil import Lubrication, OilInPlace
 from nonhertz.bearing.pairs import Pair, Paired, paired
 from nonhertz.bearing.parts import InnerRing, OuterRing, Rollers
 from nonhertz.bearing.prescribed import BearingLoad, one_state
-from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.bearing.spectrum import BearingLoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
@@ -44,12 +44,12 @@ class BearingLifeConditions(LifeConditions):
     """How long the bearing lasts; its speed is that of the load."""
 
     spectrum: Annotated[
-        tuple[LoadCase, ...],
+        tuple[BearingLoadCase, ...],
         Several(
             Part(
                 "loads with their shares of the revolutions, in place of [load], whose speed they have if they give "
                 "none; what their shares leave of the revolutions is without load",
-                LoadCase,
+                BearingLoadCase,
                 "write each load under a heading [[life.spectrum]]",
             ),
             LOADS,

@@ -21,7 +21,7 @@ from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.pairs import Paired, parts_of
 from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import Rating, rating
-from nonhertz.bearing.spectrum import LoadCase
+from nonhertz.bearing.spectrum import BearingLoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.bearing_document import (
@@ -142,7 +142,7 @@ class BearingCase(CaseBase):
         return parts_of(self.bearing) | seats | {"lubrication": self.lubrication, "life": self.life}
 
     @property
-    def spectrum(self) -> tuple[LoadCase, ...]:
+    def spectrum(self) -> tuple[BearingLoadCase, ...]:
         """The loads under which life is assessed, in place of what is prescribed, with their speeds; empty without."""
         speed = self.prescribed.speed
         return tuple(case if case.speed else replace(case, speed=speed) for case in self.life.spectrum)

@@ -14,7 +14,7 @@ from nonhertz.files.sections import FORMAT_FIELD, describe_title
 from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.descriptions import Count, Custom, Part, Quantity, Several, Word
 from nonhertz.inputs.fields import Input, input_class
-from nonhertz.life import MODELS, LoadCase
+from nonhertz.life import MODELS, ContactLoadCase
 from nonhertz.life import model as fatigue_model
 
 _REMEDY = "write a line for each path, such as \"load.load\" = '5 kN : 40 kN : 8'"
@@ -59,8 +59,8 @@ def _as_given(name: str, value: Any, remedy: str) -> Any:
 class DesignLoad(Input):
     """One load of a design."""
 
-    load: Annotated[float, LoadCase.descriptions["load"]]
-    tilt: Annotated[float, LoadCase.descriptions["tilt"]] = 0.0
+    load: Annotated[float, ContactLoadCase.descriptions["load"]]
+    tilt: Annotated[float, ContactLoadCase.descriptions["tilt"]] = 0.0
     share: Annotated[float | None, Quantity("", "its share of the revolutions; all equal if no load has one")] = None
 
 
@@ -106,12 +106,12 @@ class DesignGoal(Input):
         return {"where": self.where} | {name: value for name, value in keywords.items() if value is not None}
 
     @property
-    def _cases(self) -> tuple[LoadCase, ...]:
+    def _cases(self) -> tuple[ContactLoadCase, ...]:
         """The loads with their shares."""
         even = 1.0 / max(1, len(self.loads))
         unsaid = all(load.share is None for load in self.loads)
         return tuple(
-            LoadCase(load=load.load, tilt=load.tilt, share=even if unsaid else (load.share or 0.0))
+            ContactLoadCase(load=load.load, tilt=load.tilt, share=even if unsaid else (load.share or 0.0))
             for load in self.loads
         )
 

@@ -24,7 +24,7 @@ from nonhertz.life.capacity import ANGLE_REMEDY, contact_angle_at_most
 from nonhertz.life.catalogue import MODELS, SLOPE_REMEDY, Model, model, weibull_slope
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
-from nonhertz.life.spectrum import LoadCase, refuse_other_than_whole
+from nonhertz.life.spectrum import ContactLoadCase, refuse_other_than_whole
 from nonhertz.model.body import BODIES, Body, BodyName, convex
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import Prescription
@@ -268,11 +268,11 @@ class Life(Input):
     ] = None
     required: Annotated[float | str | None, REQUIRED] = None
     spectrum: Annotated[
-        tuple[LoadCase, ...],
+        tuple[ContactLoadCase, ...],
         Several(
             Part(
                 "loads with their shares of the revolutions, in place of [load]",
-                LoadCase,
+                ContactLoadCase,
                 "write each load under a heading [[life.spectrum]]",
             ),
             LOADS,

@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from nonhertz.files import results
 from nonhertz.files.results import Get, Key, ListOf, MapOf, input_keys, within
-from nonhertz.life import LoadCase
+from nonhertz.life import ContactLoadCase
 
 
 def _of_quantities(method: str, quantities: str) -> Get:
@@ -174,7 +174,7 @@ DESIGN: Final = (
         *results.warning_keys(attrgetter("findings")),
         results.assumed_key("was.assumed"),
         Key("bands", "within which values the goal is worse by no more than a cost", holds=ListOf(_BAND)),
-        Key("loads", "the loads", holds=ListOf(input_keys(LoadCase))),
+        Key("loads", "the loads", holds=ListOf(input_keys(ContactLoadCase))),
     ),
     _FILES,
     Key(

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from nonhertz.life.lamina import iso_16281 as iso_16281
     from nonhertz.life.overrolling import Overrolled as Overrolled
     from nonhertz.life.overrolling import overrolled as overrolled
-    from nonhertz.life.spectrum import LoadCase as LoadCase
+    from nonhertz.life.spectrum import ContactLoadCase as ContactLoadCase
     from nonhertz.life.spectrum import solve_spectrum as solve_spectrum
     from nonhertz.life.volume import Exposure as Exposure
     from nonhertz.life.volume import exposure as exposure
@@ -51,7 +51,7 @@ __getattr__, __dir__ = attach(
         ),
         "lamina": ("LaminaModel", "iso_16281"),
         "overrolling": ("Overrolled", "overrolled"),
-        "spectrum": ("LoadCase", "solve_spectrum"),
+        "spectrum": ("ContactLoadCase", "solve_spectrum"),
         "volume": ("Exposure", "exposure"),
     },
 )

@@ -47,14 +47,14 @@ def check_shares(
 
 def check_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
     """Return load cases of a kind in a list; refuse anything else, and none at all."""
-    remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.LoadCase"
+    remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.{kind.__name__}"
     items: list[Case] = check_list(name, cases, "be load cases", remedy)
     if not items or not all(isinstance(case, kind) for case in items):
         raise InputError(name, cases, "be load cases", remedy)
     return items
 
 
-def refuse_other_than_whole(name: str, cases: Sequence[LoadCase], remedy: str) -> float:
+def refuse_other_than_whole(name: str, cases: Sequence[ContactLoadCase], remedy: str) -> float:
     """Refuse shares that do not add up to 1 within 0.001; return what they add up to."""
     total = math.fsum(case.share for case in cases)
     if abs(total - 1.0) > WHOLE:
@@ -72,7 +72,7 @@ share_of_revolutions = number_that(lambda share: share <= 1.0, "not exceed 1", p
 
 
 @input_class(kw_only=True)
-class LoadCase(Input):
+class ContactLoadCase(Input):
     """A load carried for a share of the revolutions.
 
     Raises
@@ -101,7 +101,7 @@ class LoadCase(Input):
 
 def solve_spectrum(
     contact: Contact,
-    cases: Sequence[LoadCase],
+    cases: Sequence[ContactLoadCase],
     *,
     element: Element = SEMI_ELLIPTIC,
     strips: Strips = None,
@@ -115,7 +115,7 @@ def solve_spectrum(
     ----------
     contact : Contact
         The two bodies.
-    cases : sequence of LoadCase
+    cases : sequence of ContactLoadCase
         The loads; their shares add up to 1.
     element, strips, accuracy, accuracy_of, threads
         As in `nonhertz.solve_many`.
@@ -136,11 +136,11 @@ def solve_spectrum(
     --------
     >>> import nonhertz as nh
     >>> contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000)), nh.Plate())
-    >>> cases = [LoadCase(load=20e3, share=0.2, tilt=0.3e-3), LoadCase(load=5e3, share=0.8)]
+    >>> cases = [ContactLoadCase(load=20e3, share=0.2, tilt=0.3e-3), ContactLoadCase(load=5e3, share=0.8)]
     >>> [round(share, 3) for _, share in solve_spectrum(contact, cases, strips=41)]
     [0.2, 0.8]
     """
-    cases = check_cases("cases", cases, LoadCase)
+    cases = check_cases("cases", cases, ContactLoadCase)
     total = refuse_other_than_whole("share", cases, "give all loads with their shares of the revolutions")
     loads, tilts = [case.load for case in cases], [case.tilt for case in cases]
     aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}

@@ -25,7 +25,7 @@ from nonhertz.files.spreads import parse_bounds
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import callback, one_of, thread_count, whole
 from nonhertz.lazy import dir_of
-from nonhertz.life import LoadCase, Model, lundberg_palmgren
+from nonhertz.life import ContactLoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
@@ -122,7 +122,7 @@ class Design(HasFindings):
         The optimised case.
     was : Case
         The case as it was.
-    loads : tuple of LoadCase
+    loads : tuple of ContactLoadCase
         The loads.
     findings : tuple of Finding
         Which values are at an end of their range, beyond which better ones may lie.
@@ -137,7 +137,7 @@ class Design(HasFindings):
     worst: str
     case: Case
     was: Case
-    loads: tuple[LoadCase, ...]
+    loads: tuple[ContactLoadCase, ...]
     units: dict[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
 
@@ -182,7 +182,7 @@ class Front(HasFindings):
         The largest pressures under both groups [MPa].
     cases : tuple of Case
         The cases of the points.
-    loads : tuple of LoadCase
+    loads : tuple of ContactLoadCase
         The loads of both groups.
     units : dict
         The units of the paths.
@@ -194,7 +194,7 @@ class Front(HasFindings):
     first: tuple[float, ...]
     second: tuple[float, ...]
     cases: tuple[Case, ...]
-    loads: tuple[LoadCase, ...]
+    loads: tuple[ContactLoadCase, ...]
     units: dict[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
 
@@ -211,7 +211,7 @@ def best(
     *,
     vary: Mapping[str, Any] | None = None,
     goal: str | None = None,
-    loads: Sequence[LoadCase] | None = None,
+    loads: Sequence[ContactLoadCase] | None = None,
     where: Mapping[str, Any] | None = None,
     model: Model | None = None,
     starts: int | None = None,
@@ -230,7 +230,7 @@ def best(
         much, in so many steps.
     goal : {"pressure", "life"}
         The lowest peak pressure under any load (the default), or the longest life under all of them.
-    loads : sequence of LoadCase, optional
+    loads : sequence of ContactLoadCase, optional
         The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
     where : mapping, optional
         What must hold under every load, such as ``{"approach": "at most 30 um"}``, for quantities of a solution.
@@ -286,8 +286,8 @@ def best(
 def front(
     case: Case | str | Path,
     *,
-    first: Sequence[LoadCase],
-    second: Sequence[LoadCase],
+    first: Sequence[ContactLoadCase],
+    second: Sequence[ContactLoadCase],
     vary: Mapping[str, Any] | None = None,
     where: Mapping[str, Any] | None = None,
     points: int = POINTS,
@@ -304,7 +304,7 @@ def front(
     ----------
     case, vary, where, starts, workers
         As in `best`.
-    first, second : sequence of LoadCase
+    first, second : sequence of ContactLoadCase
         The groups; their shares have no effect.
     points : int
         Number of points at most, 3 to 50.
@@ -319,7 +319,7 @@ def front(
         As `best`.
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
-    checked_groups = check_cases("first", first, LoadCase), check_cases("second", second, LoadCase)
+    checked_groups = check_cases("first", first, ContactLoadCase), check_cases("second", second, ContactLoadCase)
     groups = [[replace(each, share=1.0 / len(group)) for each in group] for group in checked_groups]
     ends = [
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
@@ -359,17 +359,17 @@ def front(
     return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
 
 
-def _largest(case: Case, loads: Sequence[LoadCase]) -> float:
+def _largest(case: Case, loads: Sequence[ContactLoadCase]) -> float:
     with without_accuracy_warnings():
         return max(_solved(case, each).max_pressure for each in loads)
 
 
-def _verdict(case: Case, loads: Sequence[LoadCase]) -> Verdict | None:
+def _verdict(case: Case, loads: Sequence[ContactLoadCase]) -> Verdict | None:
     with without_accuracy_warnings():
         return judge_loads((_solved(case, each), each.share) for each in loads)
 
 
-def _solved(case: Case, load: LoadCase) -> Solution:
+def _solved(case: Case, load: ContactLoadCase) -> Solution:
     return solve(case.contact, load=load.load, tilt=load.tilt, **case.solver.keywords)
 
 
@@ -420,7 +420,7 @@ def checked(
     case: object,
     vary: Mapping[str, Any] | None = None,
     goal: str | None = None,
-    loads: Sequence[LoadCase] | None = None,
+    loads: Sequence[ContactLoadCase] | None = None,
     where: Mapping[str, Any] | None = None,
     model: Model | None = None,
     starts: int | None = None,
@@ -480,7 +480,7 @@ def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
     return tuple(found)
 
 
-def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
+def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
     if loads is None:
         if case.life.spectrum:
             return case.life.spectrum
@@ -488,8 +488,8 @@ def _loads(case: Case, loads: Any) -> tuple[LoadCase, ...]:
         if given.load is None or given.moment is not None:
             remedy = "give loads, each with a tilt"
             raise InputError("case", sorted(given.keywords), "have a load, and no moment, for a design", remedy)
-        return (LoadCase(load=given.load, share=1.0, tilt=given.tilt or 0.0),)
-    found = check_cases("loads", loads, LoadCase)
+        return (ContactLoadCase(load=given.load, share=1.0, tilt=given.tilt or 0.0),)
+    found = check_cases("loads", loads, ContactLoadCase)
     refuse_other_than_whole("loads", found, "give each its share")
     return tuple(found)
 

@@ -24,7 +24,7 @@ from nonhertz.figures.studies import (
 from nonhertz.figures.value import Axis, Figure, Panel
 from nonhertz.files.casefile import Case
 from nonhertz.files.spreads import Distribution
-from nonhertz.life import LoadCase
+from nonhertz.life import ContactLoadCase
 from nonhertz.result.quantities import Quantity
 from nonhertz.solver.one import solve
 from nonhertz.study.design import Design, Front
@@ -169,7 +169,7 @@ def _on_land(panel: Panel, y: Array, *reliefs: Array) -> Panel:
     return replace(panel, upright=replace(panel.upright, range=(deepest, -0.05 * deepest), logarithmic=False, cut=True))
 
 
-def _worst_loads(design: Design) -> list[LoadCase]:
+def _worst_loads(design: Design) -> list[ContactLoadCase]:
     """Return the largest load without tilt, if there is one, and the largest with the most tilt."""
     upright = [load for load in design.loads if load.tilt == 0.0]
     largest = [max(upright, key=lambda load: load.load)] if upright else []
@@ -177,7 +177,7 @@ def _worst_loads(design: Design) -> list[LoadCase]:
     return [*largest, *([tilted] if tilted not in largest else [])]
 
 
-def _before_and_after(design: Design, load: LoadCase) -> Panel:
+def _before_and_after(design: Design, load: ContactLoadCase) -> Panel:
     pressures: dict[str, tuple[Array, Array]] = {}
     with without_accuracy_warnings():
         for name, case in (("designed", design.case), ("before", design.was)):

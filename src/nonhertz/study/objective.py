@@ -21,7 +21,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.free_forms import FreeForm, half_length
 from nonhertz.files.paths import drop_before_parameters
 from nonhertz.files.planfile import Template
-from nonhertz.life import LoadCase, Model
+from nonhertz.life import ContactLoadCase, Model
 from nonhertz.model.contact import Contact
 from nonhertz.result.gradient import Gradient
 from nonhertz.result.maximum import counted, singular_y
@@ -79,7 +79,7 @@ class Task:
 
     template: Template  # the case
     variables: tuple[Variable, ...]  # what may be chosen
-    loads: tuple[LoadCase, ...]  # with their shares of the revolutions
+    loads: tuple[ContactLoadCase, ...]  # with their shares of the revolutions
     goal: str  # "pressure", the lowest peak, or "life", the longest
     model: Model  # of fatigue
     limits: tuple[Limit, ...] = ()  # what must hold
