@@ -177,7 +177,7 @@ ASKED = {
 }  # fmt: skip
 #: Made by the package and not by its users, who only read them.
 RESULTS = {
-    "strength.Check", "strength.Strength", "strength.Verdict", "study.Measure",
+    "strength.Check", "strength.Strength", "strength.CheckStatus", "study.Measure",
     "Comparison", "ContactMap", "Portion", "study.Progress", "study.Sweep", "study.Tolerance", "study.Diagram",
     "study.Index", "study.Quantile", "study.Capability", "study.Gradient", "study.Partials",
     "EdgeKind", "EdgePressure", "ErrorEstimate", "Result", "SingularEnd", "Solution", "Solutions",
