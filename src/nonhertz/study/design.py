@@ -143,13 +143,13 @@ class Design(HasFindings):
 
     def __repr__(self) -> str:
         what, unit = ("largest pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
-        said = [f"{what} {format_digits(self.value)}{unit}, before {format_digits(self.before)}{unit}"]
+        lines = [f"{what} {format_digits(self.value)}{unit}, before {format_digits(self.before)}{unit}"]
         for path, value in self.values.items():
             if isinstance(value, float):
-                said.append(f"{path} = {format_digits(value)} {self.units.get(path, '')}".rstrip())
-        said.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
-        said += [f"worst: {self.worst}", *self.warnings]
-        return plain_text("Design", said)
+                lines.append(f"{path} = {format_digits(value)} {self.units.get(path, '')}".rstrip())
+        lines.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
+        lines += [f"worst: {self.worst}", *self.warnings]
+        return plain_text("Design", lines)
 
     @property
     def agreeing(self) -> int:
@@ -165,8 +165,8 @@ class Design(HasFindings):
     def relief(self) -> tuple[Array, Array, Array]:
         """Positions along body a, its relief after and before, all [mm]; nan where it has none."""
         y = np.linspace(*self.case.contact.interval, PLACES)
-        new, old = (each.contact.a.relief(y) + each.contact.b.relief(y) for each in (self.case, self.was))
-        new, old = (np.where(np.isfinite(each), each, np.nan) for each in (new, old))
+        new, old = (case.contact.a.relief(y) + case.contact.b.relief(y) for case in (self.case, self.was))
+        new, old = (np.where(np.isfinite(relief), relief, np.nan) for relief in (new, old))
         return y, new, old
 
 
@@ -275,8 +275,8 @@ def best(
     processes = min(thread_count(workers), len(begins))
     with contextlib.closing(Workers()) as solving:
         searches = [(number, task, x) for number, x in enumerate(begins)]
-        for (number, _, _), found in solving.portions(searched, searches, processes):
-            ended[number] = found
+        for (number, _, _), search in solving.portions(searched, searches, processes):
+            ended[number] = search
             if announce is not None:
                 announce(len(ended), len(begins))
         portions = partial(solving.portions, processes=processes)
@@ -320,33 +320,33 @@ def front(
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
     checked_groups = check_cases("first", first, ContactLoadCase), check_cases("second", second, ContactLoadCase)
-    groups = [[replace(each, share=1.0 / len(group)) for each in group] for group in checked_groups]
+    groups = [[replace(load, share=1.0 / len(group)) for load in group] for group in checked_groups]
     ends = [
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
         for group in groups
     ]
-    asked, _ = checked(case, vary, PRESSURE, groups[0], where, None, starts)
+    base, _ = checked(case, vary, PRESSURE, groups[0], where, None, starts)
     every = (*groups[0], *groups[1])
-    free, held = (None,) * len(groups[0]), len(groups[1])
+    free, capped = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
     caps = np.linspace(lowest, highest, points)[1:-1].tolist()
-    begins = [np.array(_shares(asked, end.values)) for end in ends]
+    begins = [np.array(_shares(base, end.values)) for end in ends]
     tasks = []
     for k, cap in enumerate(caps):
-        task = replace(asked, loads=every, caps=(*free, *(cap,) * held))
+        task = replace(base, loads=every, caps=(*free, *(cap,) * capped))
         # From both ends, and from as far between them as the cap is.
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
-    found: dict[int, list[Search]] = {}
+    by_cap: dict[int, list[Search]] = {}
     with contextlib.closing(Workers()) as solving:
         for (k, _, _), search in solving.portions(searched, tasks, min(thread_count(workers), len(tasks))):
             if isinstance(search, Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
-                found.setdefault(k, []).append(search)
+                by_cap.setdefault(k, []).append(search)
     rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
-    for k in sorted(found):
-        chosen = min(found[k], key=lambda each: each.value)
-        case_there = asked.case(chosen.ended)
-        rows.append((asked.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
+    for k in sorted(by_cap):
+        chosen = min(by_cap[k], key=lambda search: search.value)
+        case_there = base.case(chosen.ended)
+        rows.append((base.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
     rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
     # A point is worse than another that has no more of either pressure, and less of one.
     rows = [
@@ -355,18 +355,18 @@ def front(
         if not any(other[1] <= row[1] and other[2] <= row[2] and other[1:3] != row[1:3] for other in rows)
     ]
     values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
-    at_bounds = _at_bounds(asked, [_shares(asked, each) for each in values], ends[0].units)
+    at_bounds = _at_bounds(base, [_shares(base, point) for point in values], ends[0].units)
     return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
 
 
 def _largest(case: Case, loads: Sequence[ContactLoadCase]) -> float:
     with without_accuracy_warnings():
-        return max(_solved(case, each).max_pressure for each in loads)
+        return max(_solved(case, load).max_pressure for load in loads)
 
 
 def _verdict(case: Case, loads: Sequence[ContactLoadCase]) -> Verdict | None:
     with without_accuracy_warnings():
-        return judge_loads((_solved(case, each), each.share) for each in loads)
+        return judge_loads((_solved(case, load), load.share) for load in loads)
 
 
 def _solved(case: Case, load: ContactLoadCase) -> Solution:
@@ -375,8 +375,8 @@ def _solved(case: Case, load: ContactLoadCase) -> Solution:
 
 def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
     """Return the variables of values."""
-    given = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
-    return [each.share(next(given[each.path])) for each in task.variables]
+    remaining = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
+    return [variable.share(next(remaining[variable.path])) for variable in task.variables]
 
 
 def begins_of(task: Task, starts: int) -> list[Array]:
@@ -384,36 +384,36 @@ def begins_of(task: Task, starts: int) -> list[Array]:
     from scipy.stats import qmc
 
     now = _as_it_is(task)
-    found = [] if now is None else [now]
+    begins = [] if now is None else [now]
     count = math.ceil(math.log2(starts + 1))
     spread = qmc.Sobol(len(task.variables), rng=np.random.default_rng(1)).random_base2(count)
-    for point in spread[: starts - len(found)]:
+    for point in spread[: starts - len(begins)]:
         x = 0.05 + 0.9 * point
-        for path in {each.path for each in task.variables if each.form is not None}:
-            at = [k for k, each in enumerate(task.variables) if each.path == path]
+        for path in {variable.path for variable in task.variables if variable.form is not None}:
+            at = [k for k, variable in enumerate(task.variables) if variable.path == path]
             # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
             x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
             x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
         for mine, margins, _ in task.of_forms(x):
             # Free profiles are to begin within their bounds: margins are 1 less something that grows with the squares.
             x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
-        found.append(x)
-    return found
+        begins.append(x)
+    return begins
 
 
 def _as_it_is(task: Task) -> Array | None:
     """Return the case as it is; None if it lies outside the bounds, or does not say."""
     from nonhertz.inputs.units import to_unit
 
-    found = []
+    point = []
     for variable in task.variables:
         parameter = task.template.known[variable.path]
         value = parameter.value_in(task.template.document)
         number = to_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
         if not isinstance(number, float) or not variable.low <= number <= variable.high:
             return None
-        found.append(variable.share(number))
-    return np.array(found)
+        point.append(variable.share(number))
+    return np.array(point)
 
 
 def checked(
@@ -432,8 +432,8 @@ def checked(
     if not isinstance(case, Case):
         remedy = "read one with nonhertz.read_case; a bearing is swept over"
         raise InputError("case", case, "be a case of a single contact", remedy)
-    given = {"vary": vary, "goal": goal, "loads": loads, "where": where, "model": model, "starts": starts}
-    plan |= {name: value for name, value in given.items() if value is not None}
+    arguments = {"vary": vary, "goal": goal, "loads": loads, "where": where, "model": model, "starts": starts}
+    plan |= {name: value for name, value in arguments.items() if value is not None}
     template = Template(case.document, case.path, is_bearing=False)
     chosen = plan.get("goal", PRESSURE)
     one_of("goal", chosen, GOALS, "say what is to be best")
@@ -454,59 +454,59 @@ def checked(
 
 
 def _mapping(name: str, value: object) -> Mapping[str, Any]:
-    if not isinstance(value, Mapping) or not all(isinstance(each, str) for each in value):
+    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
         raise InputError(name, value, "be a dictionary", "map paths or names to what they may be")
     return value
 
 
 def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
-    found: list[Variable] = []
-    for path, given in _mapping("vary", vary).items():
-        which = template.find_varied(path, given)
-        form = parse_free_form(path, given)
+    variables: list[Variable] = []
+    for path, text in _mapping("vary", vary).items():
+        which = template.find_varied(path, text)
+        form = parse_free_form(path, text)
         if form is not None:
-            found += [Variable(path, 0.0, 1.0, form)] * form.knots
+            variables += [Variable(path, 0.0, 1.0, form)] * form.knots
             continue
-        found.append(Variable(path, *parse_bounds(which, given)))
-        for end in (found[-1].low, found[-1].high):
+        variables.append(Variable(path, *parse_bounds(which, text)))
+        for end in (variables[-1].low, variables[-1].high):
             try:
                 template.case({path: end})
             except NonhertzError as error:
                 condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
                 remedy = "change these bounds, or what the case holds beside them"
-                raise InputError(path, given, condition, remedy) from None
-    if not found:
+                raise InputError(path, text, condition, remedy) from None
+    if not variables:
         raise InputError("vary", vary, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
-    return tuple(found)
+    return tuple(variables)
 
 
 def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
     if loads is None:
         if case.life.spectrum:
             return case.life.spectrum
-        given = case.prescribed
-        if given.load is None or given.moment is not None:
+        prescribed = case.prescribed
+        if prescribed.load is None or prescribed.moment is not None:
             remedy = "give loads, each with a tilt"
-            raise InputError("case", sorted(given.keywords), "have a load, and no moment, for a design", remedy)
-        return (ContactLoadCase(load=given.load, share=1.0, tilt=given.tilt or 0.0),)
-    found = check_cases("loads", loads, ContactLoadCase)
-    refuse_other_than_whole("loads", found, "give each its share")
-    return tuple(found)
+            raise InputError("case", sorted(prescribed.keywords), "have a load, and no moment, for a design", remedy)
+        return (ContactLoadCase(load=prescribed.load, share=1.0, tilt=prescribed.tilt or 0.0),)
+    cases = check_cases("loads", loads, ContactLoadCase)
+    refuse_other_than_whole("loads", cases, "give each its share")
+    return tuple(cases)
 
 
-def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], portions: Portions) -> Design:
-    good = [each for each in found if isinstance(each, Search) and math.isfinite(each.value)]
-    met = [each for each in good if each.least_margin >= -1e-4]
+def _result(task: Task, was: Case, before: Judged | None, searches: Sequence[Any], portions: Portions) -> Design:
+    good = [search for search in searches if isinstance(search, Search) and math.isfinite(search.value)]
+    met = [search for search in good if search.least_margin >= -1e-4]
     if not good:
-        why = next((each.failure for each in found if isinstance(each, Search)), "no process came back")
-        paths = ", ".join(dict.fromkeys(each.path for each in task.variables))
+        why = next((search.failure for search in searches if isinstance(search, Search)), "no process came back")
+        paths = ", ".join(dict.fromkeys(search.path for search in task.variables))
         raise InputError("vary", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads")
     if not met:
-        nearest = max(good, key=lambda each: each.least_margin)
+        nearest = max(good, key=lambda search: search.least_margin)
         names = ", ".join(limit.name for limit in task.limits) or "bounds of free profiles"
         short = f"by {100.0 * -nearest.least_margin:.3g} %"
         raise InputError("where", names, f"be possible, but every start falls short, {short} at least", "relax a limit")
-    chosen = min(met, key=lambda each: each.value)
+    chosen = min(met, key=lambda search: search.value)
     judged = task.at(chosen.ended)
     reference = before.damage if before is not None and task.goal == LIFE else math.nan
 
@@ -514,22 +514,22 @@ def _result(task: Task, was: Case, before: Judged | None, found: Sequence[Any], 
         return value if task.goal == PRESSURE else reference / value
 
     starts = []
-    for each in found:
-        if isinstance(each, LostError):
-            starts.append(Start({}, {}, math.nan, (), False, str(each)))
+    for search in searches:
+        if isinstance(search, LostError):
+            starts.append(Start({}, {}, math.nan, (), False, str(search)))
             continue
-        values, ended = task.values(each.begun), task.values(each.ended)
-        history = tuple(goal(value) for value in each.history)
-        starts.append(Start(values, ended, goal(each.value), history, each.least_margin >= -1e-4, each.failure))
+        values, ended = task.values(search.begun), task.values(search.ended)
+        history = tuple(goal(value) for value in search.history)
+        starts.append(Start(values, ended, goal(search.value), history, search.least_margin >= -1e-4, search.failure))
     starts.sort(key=lambda start: (math.isnan(start.value), start.value if task.goal == PRESSURE else -start.value))
-    of_load = [describe_load(each.load, each.tilt) for each in task.loads]
+    of_load = [describe_load(load.load, load.tilt) for load in task.loads]
     if task.goal == PRESSURE:
         worst = of_load[judged.largest[1]]
     else:
-        parts = np.array([each.share for each in task.loads]) * judged.damages
+        parts = np.array([load.share for load in task.loads]) * judged.damages
         number = int(np.argmax(parts))
         worst = f"{of_load[number]}, {100.0 * parts[number] / parts.sum():.3g} % of the damage"
-    units = {each.path: task.template.known[each.path].unit or "" for each in task.variables}
+    units = {variable.path: task.template.known[variable.path].unit or "" for variable in task.variables}
     return Design(
         task.goal, task.values(chosen.ended), goal(judged.value),
         before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
@@ -553,19 +553,19 @@ def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str
 
 def _bands(task: Task, judged: Judged, portions: Portions) -> tuple[Band, ...]:
     """Return how far each variable may go at each cost."""
-    asked = [
+    tasks = [
         (task, judged.x, judged.value, k, cost)
         for k, variable in enumerate(task.variables)
         if variable.form is None
         for cost in COSTS
     ]
-    found = {(given[3], given[4]): band for given, band in portions(_band, asked) if isinstance(band, Band)}
-    return tuple(found[key] for key in sorted(found))
+    bands = {(job[3], job[4]): band for job, band in portions(_band, tasks) if isinstance(band, Band)}
+    return tuple(bands[key] for key in sorted(bands))
 
 
-def _band(given: tuple[Task, Array, float, int, float]) -> Band:
+def _band(job: tuple[Task, Array, float, int, float]) -> Band:
     """Return how far a variable may go; called in other processes."""
-    task, x, value, k, cost = given
+    task, x, value, k, cost = job
     variable = task.variables[k]
     # A life that is shorter by a cost is a damage that is larger by it.
     allowed = value * (1.0 + cost) if task.goal == PRESSURE else value / (1.0 - cost)
@@ -573,8 +573,8 @@ def _band(given: tuple[Task, Array, float, int, float]) -> Band:
     def worse(share: float) -> bool:
         moved = x.copy()
         moved[k] = share
-        there = point_or_none(task, moved)
-        return there is None or there.value > allowed
+        judged = point_or_none(task, moved)
+        return judged is None or judged.value > allowed
 
     def reach(end: float) -> float:
         if abs(end - x[k]) < BAND_CLOSE or not worse(end):

@@ -61,11 +61,11 @@ class Diagram:
 
     def __repr__(self) -> str:
         amount = of_dimension(self.values[[0, -1]].tolist(), self.sweep.unit(self.path))
-        said = [f"{len(self.sweep)} rows over {self.path}, {amount:g}"]
+        lines = [f"{len(self.sweep)} rows over {self.path}, {amount:g}"]
         for quantity in self.quantities:
             low, high = self.sweep.extremes(quantity.name) or (np.nan, np.nan)
-            said.append(f"{quantity.label} {quantity.amount(low, high, between=' to '):4}")
-        return plain_text("Diagram", said)
+            lines.append(f"{quantity.label} {quantity.amount(low, high, between=' to '):4}")
+        return plain_text("Diagram", lines)
 
     @property
     def path(self) -> str:
@@ -250,8 +250,8 @@ def _path(word: str, plan: Plan) -> str:
 
 def _value(read: Parameter, document: Mapping[str, Any]) -> float | None:
     """Return the number at a path of a document; None if there is none."""
-    given = read.value_in(document)
-    if isinstance(given, str):
+    value = read.value_in(document)
+    if isinstance(value, str):
         with contextlib.suppress(InputError):
-            return parse_number(read.path, given, read.unit or "")
-    return float(given) if is_number(given) else None
+            return parse_number(read.path, value, read.unit or "")
+    return float(value) if is_number(value) else None

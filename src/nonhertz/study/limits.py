@@ -57,24 +57,24 @@ def limits_in(limits: Mapping[str, Any], known: Mapping[str, Quantity]) -> tuple
     InputError
         If there is no such quantity, or the text is not a limit.
     """
-    found = []
-    for name, given in limits.items():
+    checked = []
+    for name, text in limits.items():
         if name not in known:
-            raise unknown_key_error(str(name), given, known, "quantity")
-        if isinstance(given, Limit):
-            found.append(given)
+            raise unknown_key_error(str(name), text, known, "quantity")
+        if isinstance(text, Limit):
+            checked.append(text)
             continue
-        kind = next((word for word in ("at most", "at least") if str(given).strip().startswith(word)), None)
+        kind = next((word for word in ("at most", "at least") if str(text).strip().startswith(word)), None)
         if kind is None:
             remedy = "write 'at most 30 um' or 'at least 500000', say"
-            raise InputError(str(name), given, "begin with 'at most' or 'at least'", remedy)
+            raise InputError(str(name), text, "begin with 'at most' or 'at least'", remedy)
         unit = known[name].unit
         unit = unit if unit in {"mm", "N", "MPa", "rad", "N mm"} else ""
-        number = parse_number(str(name), str(given).strip().removeprefix(kind), unit)
+        number = parse_number(str(name), str(text).strip().removeprefix(kind), unit)
         if number == 0.0:
-            raise InputError(str(name), given, "not be zero", "give a number that a margin can be taken of")
-        found.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))
-    return tuple(found)
+            raise InputError(str(name), text, "not be zero", "give a number that a margin can be taken of")
+        checked.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))
+    return tuple(checked)
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def capabilities(limit: Limit, values: NDArray[np.float64]) -> list[Capability]:
     numbers = values[np.isfinite(values)]
     if numbers.size < 2:
         return []
-    mean, deviation, found = float(numbers.mean()), float(numbers.std(ddof=1)), []
+    mean, deviation, rows = float(numbers.mean()), float(numbers.std(ddof=1)), []
     for sign, bound in limit.sides:
         beyond = int(np.count_nonzero(sign * (numbers - bound) < 0.0))
         certain = binomtest(beyond, numbers.size).proportion_ci(CERTAINTY, method="exact")
@@ -151,5 +151,5 @@ def capabilities(limit: Limit, values: NDArray[np.float64]) -> list[Capability]:
         cpk = margin / (3.0 * deviation) if deviation > 0.0 else math.copysign(math.inf, margin)
         share, low, high = beyond / numbers.size, float(certain.low), float(certain.high)
         kind = "at most" if sign < 0.0 else "at least"
-        found.append(Capability(limit.name, kind, bound, numbers.size, beyond, share, low, high, mean, deviation, cpk))
-    return found
+        rows.append(Capability(limit.name, kind, bound, numbers.size, beyond, share, low, high, mean, deviation, cpk))
+    return rows

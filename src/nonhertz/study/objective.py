@@ -103,30 +103,32 @@ class Task:
 
     def values(self, x: Array) -> dict[str, Any]:
         """Return the value of each path; of a free profile its increments."""
-        found: dict[str, Any] = {}
+        by_path: dict[str, Any] = {}
         for variable, share in zip(self.variables, x.tolist(), strict=True):
             if variable.form is None:
-                found[variable.path] = variable.value(share)
+                by_path[variable.path] = variable.value(share)
             else:
-                found.setdefault(variable.path, []).append(variable.value(share))
-        return found
+                by_path.setdefault(variable.path, []).append(variable.value(share))
+        return by_path
 
     def of_forms(self, x: Array) -> list[tuple[NDArray[np.bool_], Array, Array]]:
         """Return of every free profile which variables are its own, the margins of its bounds, and their slopes."""
-        found = []
-        for path, form in {each.path: each.form for each in self.variables if each.form is not None}.items():
-            mine = np.array([each.path == path for each in self.variables])
+        parts = []
+        for path, form in {
+            variable.path: variable.form for variable in self.variables if variable.form is not None
+        }.items():
+            mine = np.array([variable.path == path for variable in self.variables])
             half = half_length(self.template.document, self.template.known[path].keys)
-            found.append((mine, *form.margins(x[mine], half)))
-        return found
+            parts.append((mine, *form.margins(x[mine], half)))
+        return parts
 
     def document(self, x: Array) -> dict[str, Any]:
         """Return the document of the case at a point."""
-        document, forms = self.template.document, {each.path: each.form for each in self.variables}
+        document, forms = self.template.document, {variable.path: variable.form for variable in self.variables}
         for path, value in drop_before_parameters(self.values(x)):
             parameter, form = self.template.known[path], forms[path]
-            given = value if form is None else form.tables(document, parameter.keys, value)
-            document = parameter.put(document, given)
+            tables = value if form is None else form.tables(document, parameter.keys, value)
+            document = parameter.put(document, tables)
         return document
 
     def case(self, x: Array) -> Case:
@@ -137,9 +139,9 @@ class Task:
         CaseError
             If no file could hold it.
         """
-        found = self.template.of_document(self.document(x))
-        assert isinstance(found, Case)
-        return found
+        read = self.template.of_document(self.document(x))
+        assert isinstance(read, Case)
+        return read
 
     def at(self, x: Array, accuracy: float | None = None) -> Judged:
         """Return the case under all loads at a point, to an accuracy of its own if the case does not ask for one.
@@ -152,7 +154,7 @@ class Task:
         case = self.case(x)
         with without_accuracy_warnings():
             solver = case.solver.keywords | ({"accuracy": accuracy} if self.is_automatic else {})
-            pressed = {name: [getattr(each, name) for each in self.loads] for name in ("load", "tilt")}
+            pressed = {name: [getattr(load, name) for load in self.loads] for name in ("load", "tilt")}
             solutions = tuple(solve_without_warnings(case.contact, pressed, **solver))
         return Judged(self, x.copy(), case, solutions)
 
@@ -175,7 +177,8 @@ class Judged:
     def largest(self) -> tuple[float, int]:
         """The largest pressure of all loads [MPa], and the number of the load."""
         pressures = [
-            each.max_pressure if self.task.cap(number) is None else 0.0 for number, each in enumerate(self.solutions)
+            solution.max_pressure if self.task.cap(number) is None else 0.0
+            for number, solution in enumerate(self.solutions)
         ]
         return max(pressures), int(np.argmax(pressures))
 
@@ -183,29 +186,31 @@ class Judged:
     def damages(self) -> Array:
         """What each load takes of the life per revolution of it, in any unit, shape (loads,)."""
         measure = damage(self.task.model)
-        return np.array([measure.partials(each).value for each in self.solutions]) ** (1.0 / self.task.model.slope)
+        return np.array([measure.partials(solution).value for solution in self.solutions]) ** (
+            1.0 / self.task.model.slope
+        )
 
     @property
     def damage(self) -> float:
         """What a revolution takes of the life, in any unit."""
-        return float(np.dot([each.share for each in self.task.loads], self.damages))
+        return float(np.dot([load.share for load in self.task.loads], self.damages))
 
     def peaks(self) -> list[tuple[int, float, float]]:
         """Return number of the load, position and logarithm of the largest pressure of every zone.
 
         As of `Solution.max_pressure`, what is nearer than a half-width to an end without a limit does not count.
         """
-        found = []
+        tops = []
         for number, solution in enumerate(self.solutions):
-            given = solution.y, solution.centre_pressure, solution.half_width
-            places, pressure, _ = counted(*given, singular_y(solution))
+            arrays = solution.y, solution.centre_pressure, solution.half_width
+            places, pressure, _ = counted(*arrays, singular_y(solution))
             touching = np.flatnonzero(pressure > 0.0)
             along = touching[np.argsort(places[touching], kind="stable")]
             for zone in np.array_split(along, self.task.zones):
                 if zone.size:
                     at = int(zone[np.argmax(pressure[zone])])
-                    found.append((number, float(places[at]), math.log(pressure[at])))
-        return found
+                    tops.append((number, float(places[at]), math.log(pressure[at])))
+        return tops
 
     def slopes_of_peaks(self, peaks: Sequence[tuple[int, float, float]]) -> Array:
         """Return the derivatives of the logarithms of peaks by the variables, shape (peaks, variables)."""
@@ -215,9 +220,9 @@ class Judged:
         """Return the derivatives of the logarithm of the damage by the variables, shape (variables,)."""
         measure, exponent = damage(self.task.model), 1.0 / self.task.model.slope
         total = np.zeros(len(self.task.variables))
-        for number, (load, each) in enumerate(zip(self.task.loads, self.damages.tolist(), strict=True)):
+        for number, (load, part) in enumerate(zip(self.task.loads, self.damages.tolist(), strict=True)):
             value = measure.partials(self.solutions[number]).value
-            total += load.share * each * exponent / value * self.slopes(number, measure)
+            total += load.share * part * exponent / value * self.slopes(number, measure)
         return total / self.damage
 
     def slopes(self, number: int, quantity: Any) -> Array:
@@ -239,7 +244,7 @@ class Judged:
     @cached_property
     def _reliefs(self) -> dict[tuple[int, int], Array]:
         """What each variable of a profile changes of the separation at the strips of each load."""
-        found = {}
+        reliefs = {}
         for k, variable in enumerate(self.task.variables):
             if ".profile" not in variable.path:
                 continue
@@ -248,8 +253,8 @@ class Judged:
             for number, solution in enumerate(self.solutions):
                 with np.errstate(invalid="ignore"):
                     change = (above.separation_at(solution.y) - below.separation_at(solution.y)) / (high - low)
-                found[number, k] = np.where(np.isfinite(change), change, 0.0)
-        return found
+                reliefs[number, k] = np.where(np.isfinite(change), change, 0.0)
+        return reliefs
 
     def margins(self) -> Array:
         """Return how far every limit is met under every load, over the limit; negative where it is not met."""
@@ -265,25 +270,25 @@ class Judged:
     @property
     def spare(self) -> float:
         """By how much the tightest limit, cap or bound of a free profile is met, over itself; infinite without any."""
-        caps = [(cap - each.max_pressure) / cap for each, cap in self._capped()]
+        caps = [(cap - solution.max_pressure) / cap for solution, cap in self._capped()]
         forms = [margin for _, margins, _ in self.task.of_forms(self.x) for margin in margins.tolist()]
         return float(min((*self.margins(), *caps, *forms), default=math.inf))
 
     def _capped(self) -> list[tuple[Solution, float]]:
-        found = ((each, self.task.cap(number)) for number, each in enumerate(self.solutions))
-        return [(each, cap) for each, cap in found if cap is not None]
+        pairs = ((solution, self.task.cap(number)) for number, solution in enumerate(self.solutions))
+        return [(solution, cap) for solution, cap in pairs if cap is not None]
 
     def slopes_of_margins(self) -> Array | None:
         """Return the derivatives of the margins, shape (margins, variables); None if a quantity has no gradient."""
         if any(limit.name not in _WITH_GRADIENT for limit in self.task.limits):
             return None
-        found = [
+        rows = [
             sign / abs(bound) * slopes
             for limit in self.task.limits
             for slopes in (self.slopes(number, limit.name) for number in range(len(self.solutions)))
             for sign, bound in limit.sides
         ]
-        return np.array(found).reshape(-1, len(self.task.variables))
+        return np.array(rows).reshape(-1, len(self.task.variables))
 
 
 def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged | None:

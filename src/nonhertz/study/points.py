@@ -58,7 +58,7 @@ class Points:
     def shape(self) -> tuple[int, ...]:
         """Number of values along each axis; samples are the last."""
         samples = (self.sampling.size(len(self.distributions)),) if self.distributions else ()
-        return (*(len(each) for each in self.lists), *samples)
+        return (*(len(values) for values in self.lists), *samples)
 
     def __len__(self) -> int:
         return math.prod(self.shape)

@@ -25,8 +25,8 @@ LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volu
 def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
     """Return the life of one body by the model of a name: of the one that has a raceway, else of body a."""
     (model,) = case.life.build_models((name,))
-    given = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
-    lives = [assess(solved, model, body=body, **given)[0] for body in BODIES]  # type: ignore[arg-type]
+    options = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
+    lives = [assess(solved, model, body=body, **options)[0] for body in BODIES]  # type: ignore[arg-type]
     return next((life for life in lives if life.million_revolutions is not None), lives[0])
 
 
@@ -62,15 +62,15 @@ def _of_contact() -> dict[str, Quantity]:
     def taken(quantity: Quantity) -> Callable[[SolvedContact], float]:
         return lambda solved: quantity.clean(solved.solution)
 
-    found = {name: replace(each, get=taken(each), scale=None) for name, each in QUANTITIES.items()}
+    by_name = {name: replace(quantity, get=taken(quantity), scale=None) for name, quantity in QUANTITIES.items()}
     for quantity in (
         Quantity("error", "estimated error of approach or load", "", "", _error, "%"),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings)),
         Quantity("relative_life", "relative life", "", "", lambda s: s.life.relative_life),
         Quantity("life", "life", "L10", LIVES[0], lambda s: s.life.million_revolutions or math.nan, LIVES[1]),
     ):
-        found[quantity.name] = quantity
-    return found
+        by_name[quantity.name] = quantity
+    return by_name
 
 
 def _error(solved: SolvedContact) -> float:
@@ -105,8 +105,8 @@ def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
         If there is no such quantity; the nearest is named.
     """
     every = known(bearing=bearing)
-    asked = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
-    for name in asked:
+    wanted = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
+    for name in wanted:
         if name not in every:
             raise unknown_word_error("quantities", name, "quantity", every)
-    return tuple(every[name] for name in asked)
+    return tuple(every[name] for name in wanted)

@@ -72,46 +72,47 @@ class Work:
         values : sequence of sequences
             Of each row, the values of these.
         """
-        named = [dict(zip(paths, each, strict=True)) for each in values]
+        named = [dict(zip(paths, row, strict=True)) for row in values]
         # What strains the model is a column of its own.
         with without_accuracy_warnings(), self._template_and_files() as template:
             if template.is_bearing:
-                return [self._alone(template, each) for each in named]
+                return [self._alone(template, row) for row in named]
             return self._of_contacts(template, named)
 
     def _of_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of contacts, those with equal bodies solved together."""
         groups: dict[tuple[Any, ...], list[int]] = {}
-        for number, each in enumerate(values):
-            bodies = tuple(value for path, value in each.items() if path not in _PRESSED)
+        for number, row in enumerate(values):
+            bodies = tuple(value for path, value in row.items() if path not in _PRESSED)
             groups.setdefault(bodies, []).append(number)
-        found: dict[int, Row] = {}
+        solved: dict[int, Row] = {}
         for numbers in groups.values():
             unloaded = [number for number in numbers if template.is_unloaded(values[number])]
-            found.update((number, self._unloaded(template, values[number])) for number in unloaded)
+            solved.update((number, self._unloaded(template, values[number])) for number in unloaded)
             if pressed := sorted(set(numbers).difference(unloaded)):
                 rows = self._of_one_contact(template, [values[number] for number in pressed])
-                found.update(zip(pressed, rows, strict=True))
-        return [found[number] for number in range(len(values))]
+                solved.update(zip(pressed, rows, strict=True))
+        return [solved[number] for number in range(len(values))]
 
     def _of_one_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of one contact, pressed together in several ways."""
         try:
             case = template.case(values[0])
             assert isinstance(case, Case)
-            given = [_prescribed(case, each) for each in values]
-            return self._together(case, given)
+            prescriptions = [_prescribed(case, row) for row in values]
+            return self._together(case, prescriptions)
         except NonhertzError:
             pass  # solved alone, those that are refused get a sentence of their own
-        return [self._alone(template, each) for each in values]
+        return [self._alone(template, row) for row in values]
 
-    def _together(self, case: Case, given: Sequence[Prescription]) -> list[Row]:
-        columns = {name: np.array([getattr(each, name) for each in given]) for name in given[0].keywords}
+    def _together(self, case: Case, pressing: Sequence[Prescription]) -> list[Row]:
+        columns = {name: np.array([getattr(way, name) for way in pressing]) for name in pressing[0].keywords}
         solutions = solve_without_warnings(case.contact, columns, **case.solver.keywords)
-        at_once = {each.name: solutions.column(each.name) for each in self.quantities if each.name in QUANTITIES}
+        names = {quantity.name for quantity in self.quantities}
+        at_once = {name: solutions.column(name) for name in names & QUANTITIES.keys()}
         converged = solutions.converged.tolist()
         rows = []
-        for number, prescribed in enumerate(given):
+        for number, prescribed in enumerate(pressing):
             if not converged[number]:
                 rows.append(self._failed(solutions.failures[number]))
                 continue
@@ -124,9 +125,9 @@ class Work:
             rows.append(
                 Row(
                     tuple(
-                        float(at_once[each.name][number]) if solved is None or each.name in at_once
-                        else number_of(each, solved)
-                        for each in self.quantities
+                        float(at_once[quantity.name][number]) if solved is None or quantity.name in at_once
+                        else number_of(quantity, solved)
+                        for quantity in self.quantities
                     )
                 )
             )  # fmt: skip
@@ -204,5 +205,5 @@ def _prescribed(case: Case, values: Values) -> Prescription:
     InputError
         If that is out of range.
     """
-    given = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
-    return Prescription(**case.prescribed.keywords | given)
+    pressing = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
+    return Prescription(**case.prescribed.keywords | pressing)

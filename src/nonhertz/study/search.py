@@ -40,9 +40,9 @@ class Search:
     failure: str = ""
 
 
-def searched(given: tuple[int, Task, Array]) -> Search:
+def searched(job: tuple[int, Task, Array]) -> Search:
     """Search from one start; called in other processes."""
-    _, task, x = given
+    _, task, x = job
     return _Searching(task).run(x)
 
 
@@ -122,24 +122,24 @@ class _Searching:
         def spare(judged: Judged, t: float) -> Array:
             """Return by how much the logarithm of each peak stays below that of its cap, or of the largest one."""
             caps = [t + scale if (cap := task.cap(n)) is None else math.log(cap) for n in range(len(task.loads))]
-            return np.array([caps[number] - each for number, _, each in judged.peaks()])
+            return np.array([caps[number] - peak for number, _, peak in judged.peaks()])
 
         def rows(z: Array) -> Array:
             judged = self._judged(z[:count])
             if judged is None:
                 return np.full(height, z[-1] - _BAD)
-            found = spare(judged, z[-1])
-            return np.pad(found, (0, height - found.size), constant_values=found.max())
+            margins = spare(judged, z[-1])
+            return np.pad(margins, (0, height - margins.size), constant_values=margins.max())
 
         def slopes(z: Array) -> Array:
-            judged, found = self._judged(z[:count]), np.zeros((height, count + 1))
+            judged, jacobian = self._judged(z[:count]), np.zeros((height, count + 1))
             if judged is not None:
                 peaks = judged.peaks()
-                found[: len(peaks), :count] = -judged.slopes_of_peaks(peaks)
-                found[: len(peaks), -1] = [task.cap(number) is None for number, _, _ in peaks]
+                jacobian[: len(peaks), :count] = -judged.slopes_of_peaks(peaks)
+                jacobian[: len(peaks), -1] = [task.cap(number) is None for number, _, _ in peaks]
                 # A zone without contact has no peak: its row repeats one that is met.
-                found[len(peaks) :] = found[int(np.argmax(spare(judged, z[-1])))]
-            return found
+                jacobian[len(peaks) :] = jacobian[int(np.argmax(spare(judged, z[-1])))]
+            return jacobian
 
         only_last = np.append(np.zeros(count), 1.0)
         constraints = [{"type": "ineq", "fun": rows, "jac": slopes}, *self._limits(count, 1)]
@@ -147,7 +147,7 @@ class _Searching:
 
     def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
         """Return the constraints, of variables and of so many more unknowns."""
-        task, found = self._task, []
+        task, constraints = self._task, []
 
         def of_forms(z: Array) -> Array:
             return np.concatenate([margins for _, margins, _ in task.of_forms(z[:count])])
@@ -171,23 +171,23 @@ class _Searching:
             by_x = self._differences(z[:count], rows) if exact is None else exact
             return np.hstack([by_x, np.zeros((rows, more))])
 
-        if any(each.form is not None for each in task.variables):
-            found.append({"type": "ineq", "fun": of_forms, "jac": slopes_of_forms})
+        if any(variable.form is not None for variable in task.variables):
+            constraints.append({"type": "ineq", "fun": of_forms, "jac": slopes_of_forms})
         if rows:
-            found.append({"type": "ineq", "fun": margins, "jac": slopes})
-        return found
+            constraints.append({"type": "ineq", "fun": margins, "jac": slopes})
+        return constraints
 
     def _differences(self, x: Array, rows: int) -> Array:
         """Return derivatives of margins that have no gradient, by differences."""
-        found = np.zeros((rows, x.size))
+        slopes = np.zeros((rows, x.size))
         here = self._judged(x)
         for k in range(x.size if here is not None else 0):
             moved = x.copy()
             moved[k] += 0.01 if x[k] < 0.5 else -0.01
-            there = point_or_none(self._task, moved, self._accuracy)
-            if there is not None and here is not None:
-                found[:, k] = (there.margins() - here.margins()) / (moved[k] - x[k])
-        return found
+            beside = point_or_none(self._task, moved, self._accuracy)
+            if beside is not None and here is not None:
+                slopes[:, k] = (beside.margins() - here.margins()) / (moved[k] - x[k])
+        return slopes
 
 
 def _minimized(
@@ -202,5 +202,5 @@ def _minimized(
 
     bounds = [(0.0, 1.0)] * (begun.size - free) + [(None, None)] * free
     options = {"maxiter": STEPS, "ftol": CLOSE}
-    found = minimize(goal, begun, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options)
-    return bool(found.success)
+    solution = minimize(goal, begun, jac=slope, method="SLSQP", bounds=bounds, constraints=constraints, options=options)
+    return bool(solution.success)

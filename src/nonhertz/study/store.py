@@ -85,24 +85,24 @@ class Store:
 
     def _check(self) -> None:
         """Raise what SQLite raises of a damaged file if this one is."""
-        found = self._read("pragma quick_check(1)")[0][0]
+        answer = self._read("pragma quick_check(1)")[0][0]
         other = " or ".join(f"typeof(n{k}) not in ('real', 'null')" for k in range(len(self.names)))
-        if found != "ok" or self._read(f"select 1 from rows where {other} limit 1"):
-            raise sqlite3.DatabaseError(found if found != "ok" else "text where numbers belong")
+        if answer != "ok" or self._read(f"select 1 from rows where {other} limit 1"):
+            raise sqlite3.DatabaseError(answer if answer != "ok" else "text where numbers belong")
 
     def _read(self, statement: str, *values: Any) -> list[tuple[Any, ...]]:
         with _intact(self._directory):
             return self._rows.execute(statement, values).fetchall()
 
     def _changed(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
-        said = []
+        changes = []
         for place in places[:3]:
-            was, is_now = (shorten(each.get(place, "not given")) for each in (before, now))
-            same_kind = all(_DIGEST.fullmatch(each.get(place, "")) for each in (before, now))
+            was, is_now = (shorten(contents.get(place, "not given")) for contents in (before, now))
+            same_kind = all(_DIGEST.fullmatch(contents.get(place, "")) for contents in (before, now))
             change = "has other contents" if same_kind else f"was {was}, is {is_now}"
-            said.append(f"{place.removesuffix('.digest')} {change}")
+            changes.append(f"{place.removesuffix('.digest')} {change}")
         more = f"; and {len(places) - 3} more" if len(places) > 3 else ""
-        condition = f"hold rows of the same plan, but {'; '.join(said)}{more}"
+        condition = f"hold rows of the same plan, but {'; '.join(changes)}{more}"
         remedy = "choose another directory, or put the plan back as it was"
         return InputError("--out", str(self._directory), condition, remedy)
 
@@ -131,7 +131,7 @@ class Store:
     def add(self, portion: int, numbers: Iterable[int], values: Iterable[Sequence[Any]], rows: Iterable[Row]) -> None:
         """Keep the rows of a portion; one that is there already is left as it is."""
         entries = [
-            (number, *of_row, *(None if math.isnan(each) else each for each in row.numbers), row.failure)
+            (number, *of_row, *(None if math.isnan(value) else value for value in row.numbers), row.failure)
             for number, of_row, row in zip(numbers, values, rows, strict=True)
         ]
         marks = ", ".join("?" * (2 + len(self.paths) + len(self.names)))
@@ -144,11 +144,11 @@ class Store:
 
     def failures(self, most: int) -> list[tuple[str, int, int]]:
         """Return why rows failed, the commonest reason first: sentence, how many rows, the first of them."""
-        asked = (
+        statement = (
             "select failure, count(*) as times, min(number) from rows where failure is not null "
             "group by failure order by times desc, 3 limit ?"
         )
-        return [(why, times, first) for why, times, first in self._read(asked, most)]
+        return [(why, times, first) for why, times, first in self._read(statement, most)]
 
     def failed_count(self) -> int:
         """Return how many rows have failed."""
@@ -161,10 +161,10 @@ class Store:
     def column(self, name: str) -> NDArray[Any]:
         """Return a column of all rows in the order of their numbers; nan where a row has no number."""
         place = f"v{self.paths.index(name)}" if name in self.paths else f"n{self.names.index(name)}"
-        found = [value for (value,) in self._read(f"select {place} from rows order by number")]
-        if any(isinstance(value, str) for value in found):
-            return np.array(found, dtype=object)
-        return np.array([math.nan if value is None else value for value in found], dtype=float)
+        values = [value for (value,) in self._read(f"select {place} from rows order by number")]
+        if any(isinstance(value, str) for value in values):
+            return np.array(values, dtype=object)
+        return np.array([math.nan if value is None else value for value in values], dtype=float)
 
     def extremes(self, name: str) -> tuple[float, float] | None:
         """Return the smallest and the largest number of a column; None if it has none."""

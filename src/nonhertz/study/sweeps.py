@@ -98,15 +98,15 @@ class Sweep:
 
     def __repr__(self) -> str:
         rows = "row" if len(self) == 1 else "rows"
-        said = [f"{len(self)} {rows} of {self.plan.title!r} over {', '.join(self.paths)}"]
+        lines = [f"{len(self)} {rows} of {self.plan.title!r} over {', '.join(self.paths)}"]
         if not self.complete:
-            said.append(f"{len(self._store)} of them are there")
+            lines.append(f"{len(self._store)} of them are there")
         for quantity in self.quantities:
             ends = self.extremes(quantity.name)
             if ends is not None:
-                said.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
-        said += [f"failed: {times} from row {first}: {shorten(why)}" for why, times, first in self.reasons()]
-        return plain_text("Sweep", said)
+                lines.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
+        lines += [f"failed: {times} from row {first}: {shorten(why)}" for why, times, first in self.reasons()]
+        return plain_text("Sweep", lines)
 
     @property
     def complete(self) -> bool:
@@ -130,15 +130,15 @@ class Sweep:
     def given(self) -> frozenset[str]:
         """Names of what the case or the plan gives of the load, such as load and tilt: they are no results."""
         varied = {path.partition(".")[2] for path in self.paths if path.startswith("load.")}
-        found = varied.union(self.plan.template.document.get("load", {}))
-        return frozenset(found if "moment" in found else found | {"tilt"})
+        names = varied.union(self.plan.template.document.get("load", {}))
+        return frozenset(names if "moment" in names else names | {"tilt"})
 
     @property
     def assumed(self) -> tuple[Finding, ...]:
         """What is assumed where the case leaves something out that decides results, and that is not varied."""
         varied = [f"{path} " for path in self.paths]
-        found = ((each, f"{dict(each.numbers)['keys']} ".replace(",", " ")) for each in self.plan.case.assumed)
-        return tuple(each for each, keys in found if not any(path in keys for path in varied))
+        notes = ((note, f"{dict(note.numbers)['keys']} ".replace(",", " ")) for note in self.plan.case.assumed)
+        return tuple(note for note, keys in notes if not any(path in keys for path in varied))
 
     @property
     def verdict(self) -> Verdict | None:
@@ -146,11 +146,11 @@ class Sweep:
 
         Of rows with other materials, on the worst of each. None if rows are missing, or have no largest pressure.
         """
-        held = {quantity.name for quantity in self.quantities}
-        if "max_pressure" not in held or not self.complete:
+        names = {quantity.name for quantity in self.quantities}
+        if "max_pressure" not in names or not self.complete:
             return None
         varied = [self._store.column(path).tolist() for path in self.paths if ".material" in path]
-        warned = self._store.column("warnings") if "warnings" in held else ()
+        warned = self._store.column("warnings") if "warnings" in names else ()
         pressures = self._store.column("max_pressure")
         return judge_rows(pressures, self._verdict_on, list(zip(*varied, strict=True)), warned)
 
@@ -170,16 +170,16 @@ class Sweep:
 
         Rows keep their sentences in SI units: for those who read others, the first is solved once more.
         """
-        kept = self._store.failures(REASONS)
+        failures = self._store.failures(REASONS)
         if current_units() is SI:
-            return kept
+            return failures
         lost = str(LostError())
-        return [(why if why == lost else self._reason(first, why), times, first) for why, times, first in kept]
+        return [(why if why == lost else self._reason(first, why), times, first) for why, times, first in failures]
 
-    def _reason(self, row: int, kept: str) -> str:
+    def _reason(self, row: int, failure: str) -> str:
         """Return why a row fails, in the units that are read."""
         (again,) = _work(self.plan, self.quantities).rows(self.paths, self._points.values([row]))
-        return again.failure or kept
+        return again.failure or failure
 
     @property
     def failed(self) -> int:
@@ -264,7 +264,7 @@ class Sweep:
             self._store.write_csv(into / "rows.csv", units)
             if excel:
                 head, values = inputs_table([(self.plan.case.title, self.plan.case.document)])
-                varied = (("varied", path, str(given)) for path, given in self.plan.over.items())
+                varied = (("varied", path, str(spread)) for path, spread in self.plan.over.items())
                 rows = self._store.head(units), self._store.cells()
                 write_workbook(into / "rows.xlsx", {"rows": rows, INPUTS: (head, chain(varied, values))})
             with contextlib.suppress(ImportError):
@@ -337,9 +337,9 @@ def sweep(
     ((4, 2), array([2090., 1990.]))
     """
     callback("announce", announce)
-    asked = planned(plan, over, samples, quantities)
-    points = Points.of(asked)
-    numbers = chosen(asked.quantities, bearing=asked.template.is_bearing)
+    study = planned(plan, over, samples, quantities)
+    points = Points.of(study)
+    numbers = chosen(study.quantities, bearing=study.template.is_bearing)
     processes = thread_count(workers)
     solving = Workers(scheduler)
     if not isinstance(out, str | Path | None):
@@ -347,27 +347,28 @@ def sweep(
     directory = None if out is None else Path(out)
     if directory is not None:
         refuse_unwritable(directory)
-    most = OF_BEARINGS if asked.template.is_bearing else OF_CONTACTS
+    most = OF_BEARINGS if study.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
-    store = Store(directory, _made_from(asked, points, numbers, size), points.paths, [each.name for each in numbers])
-    found = Sweep(asked, points, numbers, store)
-    work, there = _work(asked, numbers), store.portions()
+    names = [quantity.name for quantity in numbers]
+    store = Store(directory, _made_from(study, points, numbers, size), points.paths, names)
+    result = Sweep(study, points, numbers, store)
+    work, stored = _work(study, numbers), store.portions()
     progress = Progress(len(store), len(points), len(store))
     missing: Iterator[Portion] = (
         (portion, rows, points.values(rows))
         for portion, first in enumerate(range(0, len(points), size))
-        if portion not in there
+        if portion not in stored
         for rows in [points.solved_at(first, min(first + size, len(points))).tolist()]
     )
     try:
         with contextlib.closing(solving), contextlib.ExitStack() as stack:
             stack.callback(store.release)
             processes = 1 if len(points) - len(store) <= most else processes
-            solve, left, seconds = partial(_solved, work, points.paths), len(points) - len(store), None
+            solve, count, seconds = partial(_solved, work, points.paths), len(points) - len(store), None
             if announce is not None:
-                if left >= WORTH_TIMING and scheduler is None:
+                if count >= WORTH_TIMING and scheduler is None:
                     first = next(missing)
-                    seconds, missing = left * _seconds_per_row(solve, first) / processes, chain([first], missing)
+                    seconds, missing = count * _seconds_per_row(solve, first) / processes, chain([first], missing)
                 announce(replace(progress, seconds=seconds))
             for portion, solved in solving.portions(solve, missing, processes):
                 lost = [Row((math.nan,) * len(numbers), str(solved))] * len(portion[1])
@@ -376,13 +377,13 @@ def sweep(
                 if announce is not None:
                     announce(progress)
     except KeyboardInterrupt:
-        kept = "" if directory is None else f", which are kept in {directory}; the same call continues from there"
-        raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{kept}.", found) from None
-    return found
+        hint = "" if directory is None else f", which are kept in {directory}; the same call continues from there"
+        raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{hint}.", result) from None
+    return result
 
 
 def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
-    return Work(plan.template, plan.case.attachments, tuple(each.name for each in quantities))
+    return Work(plan.template, plan.case.attachments, tuple(quantity.name for quantity in quantities))
 
 
 def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> float:

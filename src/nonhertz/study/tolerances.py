@@ -122,19 +122,19 @@ class Tolerance:
     def __init__(self, sweep: Sweep, limits: tuple[Limit, ...] = (), names: Sequence[str] = ()) -> None:
         self.sweep, self.limits = sweep, limits
         main = {*(names or MAIN), *(limit.name for limit in limits)}
-        known_ones = (each for each in sweep.quantities if names or sweep.extremes(each.name) is not None)
-        self.main = tuple(each for each in known_ones if each.name in main) or self.results
+        known_ones = (quantity for quantity in sweep.quantities if names or sweep.extremes(quantity.name) is not None)
+        self.main = tuple(quantity for quantity in known_ones if quantity.name in main) or self.results
         self._indices: dict[str, tuple[Index, ...]] = {}
 
     def __repr__(self) -> str:
-        said = [f"{len(self.sweep)} rows of {self.sweep.plan.title!r}"]
+        lines = [f"{len(self.sweep)} rows of {self.sweep.plan.title!r}"]
         for quantity in self.main:
-            quantiles = (each.value for each in self.quantiles(quantity.name))
-            said.append(f"{quantity.label} {quantity.amount(*quantiles)}")
-        said[0] += f"; 1 %, 50 % and 99 % of {self.independent.size} samples:" if len(said) > 1 else ""
+            quantiles = (quantile.value for quantile in self.quantiles(quantity.name))
+            lines.append(f"{quantity.label} {quantity.amount(*quantiles)}")
+        lines[0] += f"; 1 %, 50 % and 99 % of {self.independent.size} samples:" if len(lines) > 1 else ""
         if self.sweep.failed:
-            said.append(f"{self.sweep.failed} rows failed")
-        return plain_text("Tolerance", said)
+            lines.append(f"{self.sweep.failed} rows failed")
+        return plain_text("Tolerance", lines)
 
     @property
     def independent(self) -> NDArray[np.intp]:
@@ -169,32 +169,33 @@ class Tolerance:
         InputError
             If a share is not between 0 and 1.
         """
-        found = np.atleast_1d(numbers("shares", shares, "give shares of all results"))
-        if not np.all((found > 0.0) & (found < 1.0)) or found.ndim > 1:
+        wanted = np.atleast_1d(numbers("shares", shares, "give shares of all results"))
+        if not np.all((wanted > 0.0) & (wanted < 1.0)) or wanted.ndim > 1:
             raise InputError("shares", shares, "lie above 0 and below 1", "give shares of all results")
         values = self.samples(name)
-        return tuple(quantile(values[np.isfinite(values)], share) for share in found.tolist())
+        return tuple(quantile(values[np.isfinite(values)], share) for share in wanted.tolist())
 
     @property
     def results(self) -> tuple[Quantity, ...]:
         """The quantities for which tolerances are ranked: not what the case gives, such as a tilt, nor places."""
-        return tuple(each for each in self.sweep.quantities if each.name not in self.sweep.given | _NO_RESULTS)
+        none = self.sweep.given | _NO_RESULTS
+        return tuple(quantity for quantity in self.sweep.quantities if quantity.name not in none)
 
     @cached_property
     def capabilities(self) -> tuple[Capability, ...]:
         """How the independent samples stand against the limits."""
-        return tuple(each for limit in self.limits for each in capabilities(limit, self.samples(limit.name)))
+        return tuple(side for limit in self.limits for side in capabilities(limit, self.samples(limit.name)))
 
     @property
     def verdict(self) -> Verdict | None:
         """Whether all samples stay within the limits, and the rows bear their loads."""
         beyond, of_rows = [], self.sweep.verdict
-        for each in self.capabilities:
-            if each.beyond:
-                quantity = known(bearing=self.sweep.plan.template.is_bearing)[each.quantity]
+        for side in self.capabilities:
+            if side.beyond:
+                quantity = known(bearing=self.sweep.plan.template.is_bearing)[side.quantity]
                 words = "Of {samples} samples {beyond} are beyond the limit of the {label}, {kind} {limit:.6g}."
-                numbers = {"samples": each.samples, "beyond": each.beyond, "limit": quantity.amount(each.limit)}
-                beyond.append(finding("beyond-limit", words, label=quantity.label, kind=each.kind, **numbers))
+                numbers = {"samples": side.samples, "beyond": side.beyond, "limit": quantity.amount(side.limit)}
+                beyond.append(finding("beyond-limit", words, label=quantity.label, kind=side.kind, **numbers))
         if not beyond:
             return of_rows
         return Verdict(Level.NOT_MET, (*beyond, *(of_rows.findings if of_rows else ())))
@@ -224,12 +225,12 @@ class Tolerance:
         That of the largest total index, and those that cannot be told from it: whose intervals reach its estimate.
         Loads are no tolerances, and what has less than 2 % of the variance is not worth tightening.
         """
-        found = {}
+        first = {}
         for quantity in self.results:
-            ranked = [each for each in self.indices(quantity.name) if not is_operating_load(each.path)]
+            ranked = [index for index in self.indices(quantity.name) if not is_operating_load(index.path)]
             if ranked and ranked[0].total >= WORTH_TIGHTENING:
-                found[quantity.name] = tuple(each.path for each in ranked if each.total_high >= ranked[0].total)
-        return found
+                first[quantity.name] = tuple(index.path for index in ranked if index.total_high >= ranked[0].total)
+        return first
 
 
 def is_operating_load(path: str) -> bool:
@@ -260,7 +261,7 @@ def quantile(values: Array, share: float) -> Quantile:
         return Quantile(share, math.nan, -math.inf, math.inf)
     ordered, beyond = np.sort(values), 0.5 * (1.0 - CERTAINTY)
     # Of n numbers, those below the quantile are binomial.
-    low, high = (int(binom.ppf(each, values.size, share)) for each in (beyond, 1.0 - beyond))
+    low, high = (int(binom.ppf(bound, values.size, share)) for bound in (beyond, 1.0 - beyond))
     bounds = np.concatenate([[-np.inf], ordered, [np.inf]])
     value = float(np.quantile(ordered, share, method="median_unbiased"))
     return Quantile(share, value, float(bounds[low]), float(bounds[min(high + 1, values.size + 1)]))
@@ -284,8 +285,8 @@ def sobol_indices(paths: Sequence[str], blocks: Array) -> tuple[Index, ...]:
     better = np.where(np.ptp(first[1:], axis=0) < np.ptp(total[1:], axis=0), first[0], total[0])
     first[0], total[0] = np.where(first[0] > total[0], better, [first[0], total[0]])
     first[2], total[1] = np.minimum(first[2], total[2]), np.maximum(total[1], first[1])
-    for each in (first, total):
-        each[1], each[2] = np.minimum(each[1], each[0]), np.maximum(each[2], each[0])
+    for rows in (first, total):
+        rows[1], rows[2] = np.minimum(rows[1], rows[0]), np.maximum(rows[2], rows[0])
     columns = zip(paths, *first.tolist(), *total.tolist(), strict=True)
     return tuple(sorted((Index(*column) for column in columns), key=lambda index: -index.total))
 
@@ -356,22 +357,22 @@ def tolerance(
     >>> found.indices("max_pressure")[0].path
     'load.load'
     """
-    asked = planned(plan, over, None, quantities, "tolerance").changed(limits=limits)
-    if not asked.spreads:
+    study = planned(plan, over, None, quantities, "tolerance").changed(limits=limits)
+    if not study.spreads:
         remedy = "say how a path of the case is distributed, such as 'load.load=normal(nominal,1kN)'"
         raise InputError("over", {}, "vary something", remedy)
-    for path, spread in asked.spreads.items():
+    for path, spread in study.spreads.items():
         if not isinstance(spread, Distribution):
             remedy = "write one, such as 'normal(nominal, 5 um)', or sweep over values"
-            raise InputError(path, asked.over[path], "be a distribution", remedy)
+            raise InputError(path, study.over[path], "be a distribution", remedy)
     drawn = Sampling(
-        asked.samples.count if samples is None else samples, SALTELLI, asked.samples.seed if seed is None else seed
+        study.samples.count if samples is None else samples, SALTELLI, study.samples.seed if seed is None else seed
     )
-    names, bounds = asked.quantities, checked_limits(asked)
-    usual = [each.name for each in chosen(names, bearing=asked.template.is_bearing)]
+    names, bounds = study.quantities, checked_limits(study)
+    usual = [quantity.name for quantity in chosen(names, bearing=study.template.is_bearing)]
     rows = tuple(dict.fromkeys([*usual, *(limit.name for limit in bounds)]))
-    asked = asked.changed(samples=drawn, quantities=rows)
-    return Tolerance(sweep(asked, out=out, workers=workers, scheduler=scheduler, announce=announce), bounds, names)
+    study = study.changed(samples=drawn, quantities=rows)
+    return Tolerance(sweep(study, out=out, workers=workers, scheduler=scheduler, announce=announce), bounds, names)
 
 
 def checked_limits(plan: Plan) -> tuple[Limit, ...]:

@@ -24,8 +24,8 @@ from typing import Any, TypeVar
 from nonhertz.amounts import current_units, display_units
 from nonhertz.errors import InputError, NonhertzError
 
-Given = TypeVar("Given")
-Found = TypeVar("Found")
+Item = TypeVar("Item")
+Answer = TypeVar("Answer")
 
 AHEAD = 3  # portions handed out per process: so few that memory stays flat
 ATTEMPTS = 2  # alone, of a portion that was under way when a process ended
@@ -73,45 +73,45 @@ class Workers:
             self._client.close()
 
     def portions(
-        self, solve: Callable[[Given], Found], each: Iterable[Given], processes: int
-    ) -> Iterator[tuple[Given, Found | LostError]]:
+        self, solve: Callable[[Item], Answer], items: Iterable[Item], processes: int
+    ) -> Iterator[tuple[Item, Answer | LostError]]:
         """Yield what is given with what is found of it, in the order in which it is found; one process is this one."""
         if self._client is None and processes == 1:
-            yield from ((given, solve(given)) for given in each)
+            yield from ((item, solve(item)) for item in items)
             return
-        solve, source, left = partial(_as_here, current_units().code, solve), iter(each), True
-        while left:
-            lost: list[Given] = []
+        solve, source, unfinished = partial(_as_here, current_units().code, solve), iter(items), True
+        while unfinished:
+            lost: list[Item] = []
             if self._executor is None:
                 made = _pool(processes) if self._client is None else self._client.get_executor(pure=False)
                 self._executor = self._open.enter_context(made)
-            for given, future in self._flow(self._executor, solve, source, processes):
+            for item, future in self._flow(self._executor, solve, source, processes):
                 error = future.exception()
                 if isinstance(error, BrokenProcessPool):
-                    lost.append(given)
+                    lost.append(item)
                 else:
                     # The name that dask.distributed, which may not be installed, has for the same.
-                    yield given, LostError() if type(error).__name__ == "KilledWorker" else future.result()
+                    yield item, LostError() if type(error).__name__ == "KilledWorker" else future.result()
             if lost:
                 self.close()
-            for given in lost:
-                yield given, _alone(solve, given)
-            left = bool(lost)
+            for item in lost:
+                yield item, _alone(solve, item)
+            unfinished = bool(lost)
 
     def _flow(
-        self, executor: Executor, solve: Callable[[Given], Found], source: Iterator[Given], processes: int
-    ) -> Iterator[tuple[Given, Future[Found]]]:
+        self, executor: Executor, solve: Callable[[Item], Answer], source: Iterator[Item], processes: int
+    ) -> Iterator[tuple[Item, Future[Answer]]]:
         """Yield what is given with its future as they finish, no more than a few for each process under way at a time.
 
         Once processes have ended, nothing more is taken from the source.
         """
-        pending: dict[Future[Found], Given] = {}
+        pending: dict[Future[Answer], Item] = {}
         broken = False
         try:
             while True:
                 count = processes if self._client is None else max(1, sum(map(int, self._client.ncores().values())))
-                for given in itertools.islice(source, 0 if broken else max(0, AHEAD * count - len(pending))):
-                    pending[_submitted(executor, solve, given)] = given
+                for item in itertools.islice(source, 0 if broken else max(0, AHEAD * count - len(pending))):
+                    pending[_submitted(executor, solve, item)] = item
                 if not pending:
                     return
                 done, _ = wait(pending, return_when=FIRST_COMPLETED)
@@ -123,10 +123,10 @@ class Workers:
                 future.cancel()
 
 
-def _as_here(units: str, solve: Callable[[Given], Found], given: Given) -> Found:
+def _as_here(units: str, solve: Callable[[Item], Answer], item: Item) -> Answer:
     """Return what is found of something, its sentences in units of the process that asked."""
     with display_units(units):
-        return solve(given)
+        return solve(item)
 
 
 def _connected(address: str) -> Any:
@@ -160,12 +160,12 @@ def _without_the_script() -> Iterator[None]:
         vars(main).update(hidden)
 
 
-def _submitted(executor: Executor, solve: Callable[[Given], Found], given: Given) -> Future[Found]:
+def _submitted(executor: Executor, solve: Callable[[Item], Answer], item: Item) -> Future[Answer]:
     try:
         with _without_the_script(), _interrupts_ignored():
-            return executor.submit(solve, given)
+            return executor.submit(solve, item)
     except BrokenProcessPool as error:
-        refused: Future[Found] = Future()
+        refused: Future[Answer] = Future()
         refused.set_exception(error)
         return refused
 
@@ -183,11 +183,11 @@ def _interrupts_ignored() -> Iterator[None]:
         signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
-def _alone(solve: Callable[[Given], Found], given: Given) -> Found | LostError:
+def _alone(solve: Callable[[Item], Answer], item: Item) -> Answer | LostError:
     """Return what a process of its own finds."""
     for _ in range(ATTEMPTS):
         with _pool(1) as pool, contextlib.suppress(BrokenProcessPool):
-            return _submitted(pool, solve, given).result()
+            return _submitted(pool, solve, item).result()
     return LostError()
 
 
