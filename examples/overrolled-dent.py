@@ -29,7 +29,7 @@ def main(out: Path = Path("out"), cell: float | None = None) -> list[Overrolled]
     print(f"{'depth':>7}{'shoulder':>10}{'pressure':>10}" + "".join(f"{each.name:>19}" for each in MODELS))
     found = []
     for dent in DENTS:
-        found.append(nh.life.overrolled(solution, dent, cell=cell))
+        found.append(nh.life.overrolled(solution, dent, body="b", cell=cell))
         numbers = f"{1e3 * dent.depth:4.1f} um{1e3 * dent.shoulder:7.2f} um{found[-1].max_pressure.max():6.0f} MPa"
         print(numbers + "".join(f"{found[-1].relative_life(each, per_area=0.1):19.3f}" for each in MODELS))
     out.mkdir(parents=True, exist_ok=True)

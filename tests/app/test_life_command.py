@@ -220,7 +220,7 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
     monkeypatch.chdir(tmp_path)
     Path("dent.toml").write_text(DENTED, encoding="utf-8")
     dent, contact = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005), read_case("dent.toml").contact
-    coarse = nonhertz.life.overrolled(solved("dent.toml"), dent, cell=0.038, reach=0.6)
+    coarse = nonhertz.life.overrolled(solved("dent.toml"), dent, body="b", cell=0.038, reach=0.6)
 
     def overrolled(solution: nh.Solution, asked: nh.patch.Dent, body: str = "b", **_: object) -> object:
         assert (solution.contact, solution.load, asked, body) == (contact, pytest.approx(300.0), dent, "b")

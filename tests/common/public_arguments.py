@@ -35,7 +35,7 @@ with warnings.catch_warnings():  # as coarse as it may be: nothing is read off t
     SHORT = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(60)), RING)
     COARSELY = {"solution": nh.solve(SHORT, load=1500, strips=5), "dent": nh.patch.Dent(depth=0.002, diameter=0.2)}
     COARSELY |= {"cell": 0.04, "reach": 0.5}
-    OVERROLLED = life.overrolled(**COARSELY)
+    OVERROLLED = life.overrolled(**COARSELY, body="b")
 SWEPT = nh.sweep(nh.Case(CONTACT, {"load": 6e3}, {"strips": 11}), over={"load.load": [6e3]})
 SLICED_CASE = nh.read_bearing(BEARING, {"solver.method": "slices"})
 DIAGRAM = nh.study.diagram(SLICED_CASE, "clearance", "0 : 20 um : 2")

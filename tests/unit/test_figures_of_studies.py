@@ -179,7 +179,7 @@ def test_a_dent_has_its_stress_and_where_it_adds_damage():
     roller = nh.Roller(diameter=20, length=8, profile=nh.profile.crown(radius=100))
     solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=300.0)
     dent, model = nh.patch.Dent(depth=0.002, diameter=0.3), nh.life.model("zaretsky")
-    overrolled = nh.life.overrolled(solution, dent, cell=0.03)
+    overrolled = nh.life.overrolled(solution, dent, body="b", cell=0.03)
     figure = around_dent(overrolled, model)
     stress, damage = figure.panels
     (cells,) = (mark for mark in stress.marks if isinstance(mark, Cells))

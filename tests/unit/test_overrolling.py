@@ -32,7 +32,7 @@ def smooth():
 
 @pytest.fixture(scope="module")
 def found(smooth):
-    return overrolled(smooth, DENT, cell=COARSE, reach=2.0)
+    return overrolled(smooth, DENT, body="b", cell=COARSE, reach=2.0)
 
 
 # What is refused
@@ -59,7 +59,7 @@ def test_the_life_of_one_position_of_a_dent_is_refused_with_the_way_out(smooth):
 def test_what_cannot_be_rolled_over_is_refused_in_one_sentence(smooth, changes, words):
     y = changes.pop("y", 0.0)
     with pytest.raises(InputError, match=words):
-        overrolled(smooth, replace(DENT, y=y), **changes)
+        overrolled(smooth, replace(DENT, y=y), **{"body": "b"} | changes)
 
 
 # Nothing to roll over
@@ -75,7 +75,7 @@ def test_what_cannot_be_rolled_over_is_refused_in_one_sentence(smooth, changes, 
     ],
 )
 def test_a_dent_far_away_or_of_no_depth_leaves_the_life_as_it_is(smooth, dent, cell, side, reach):
-    seen = overrolled(smooth, dent, cell=cell, reach=reach)
+    seen = overrolled(smooth, dent, body="b", cell=cell, reach=reach)
     for points in (seen.x, seen.y):  # at every second cell
         assert 0.8 * side < 0.5 * (points[1] - points[0]) <= side
     for each in (lundberg_palmgren(), zaretsky()):
@@ -114,10 +114,10 @@ def test_relative_lives_follow_from_the_excess(found):
 )
 def test_the_smooth_raceway_has_the_damage_that_its_strips_have(smooth, cell, models):
     # All of the small contact lies within the surroundings: each mm in the direction of rolling has the same damage.
-    seen = overrolled(smooth, nh.patch.Dent(depth=1e-9, diameter=0.3), cell=cell, reach=6.0)
+    seen = overrolled(smooth, nh.patch.Dent(depth=1e-9, diameter=0.3), body="b", cell=cell, reach=6.0)
     for each in models:
         rolled = seen.density(each, dented=False).mean(axis=0).sum() * (seen.y[1] - seen.y[0])
-        assert rolled == pytest.approx(exposure(smooth, "b").damage(each), rel=0.01)
+        assert rolled == pytest.approx(exposure(smooth, body="b").damage(each), rel=0.01)
 
 
 @pytest.mark.slow
@@ -187,7 +187,7 @@ def test_the_excess_converges_with_the_surroundings(found):
 
 @pytest.mark.slow
 def test_where_a_dent_begins_to_roll_does_not_matter(smooth, found):
-    other = overrolled(smooth, replace(DENT, x=0.4 * COARSE), cell=COARSE, reach=2.0)
+    other = overrolled(smooth, replace(DENT, x=0.4 * COARSE), body="b", cell=COARSE, reach=2.0)
     np.testing.assert_allclose(np.diff(other.positions), other.positions[-1] / (other.positions.size // 2), rtol=1e-12)
     for each in (lundberg_palmgren(), zaretsky()):
         assert other.excess(each) == found.excess(each)
@@ -199,7 +199,7 @@ def test_cells_hardly_matter_to_maximum_shear_and_coarse_ones_are_warned_of(smoo
         each for each in found.warnings if each.startswith("Cells of 0.02 mm are coarser than the usual 0.0")
     ]
     assert "by orthogonal shear" in sentence
-    each, other = zaretsky(), overrolled(smooth, DENT, cell=0.75 * COARSE, reach=2.0)
+    each, other = zaretsky(), overrolled(smooth, DENT, body="b", cell=0.75 * COARSE, reach=2.0)
     assert other.excess(each) == pytest.approx(found.excess(each), rel=0.05)
     assert other.relative_life(each, per_area=0.1) == pytest.approx(found.relative_life(each, per_area=0.1), rel=0.01)
 

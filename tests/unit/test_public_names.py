@@ -69,3 +69,15 @@ def test_a_name_that_was_renamed_works_for_one_release():
     with pytest.warns(DeprecationWarning, match=r"nonhertz\.bearing\.LoadCase is now nonhertz\.bearing\.BearingLoadC"):
         assert nh.bearing.LoadCase is nh.bearing.BearingLoadCase
     assert "LoadCase" not in dir(nh.bearing)
+
+
+def test_every_function_takes_a_body_as_the_same_keyword():
+    verbs = [value for module in (nh.life, nh.strength, nh.subsurface) for value in _functions_of(module).values()]
+    takes_body = [inspect.signature(verb).parameters for verb in verbs]
+    bodies = [each["body"] for each in takes_body if "body" in each]
+    assert {(body.kind, body.default) for body in bodies} == {(inspect.Parameter.KEYWORD_ONLY, "a")}
+    assert len(bodies) == 4
+
+
+def _functions_of(module):
+    return {name: getattr(module, name) for name in dir(module) if inspect.isfunction(getattr(module, name))}

@@ -203,7 +203,7 @@ def assess(
     bearing = _Bearing(ring, why, _checked_rollers(rollers, ring), body)
     seen: list[Exposure] = []
     if any(isinstance(member, VolumeModel) for member in chosen):
-        seen = [exposure(solution, body, **options) for solution, _ in spectrum]
+        seen = [exposure(solution, body=body, **options) for solution, _ in spectrum]
     shares = np.array([share for _, share in spectrum])
     return tuple(
         _assess_volume(member, spectrum, seen, shares, bearing)

@@ -178,7 +178,7 @@ def overrolled(
     solution: Solved,
     dent: Dent,
     *,
-    body: BodyName = "b",
+    body: BodyName = "a",
     cell: float | None = None,
     reach: float = REACH,
     announce: Callable[[int, int], object] | None = None,
@@ -192,7 +192,7 @@ def overrolled(
     dent : Dent
         The dent. Its ``y`` is where it lies along the contact; its ``x`` plays no part, since it rolls through.
     body : {"a", "b"}
-        The body whose raceway has the dent.
+        The body that has the dent and fatigues.
     cell : float, optional
         Side of the cells [mm]; if left out, the least of a 24th of the dent's diameter, an 8th of the width of its
         shoulder and a 20th of the half-width.
@@ -225,7 +225,7 @@ def overrolled(
     >>> roller = nh.Roller(diameter=20, length=8, profile=nh.profile.crown(radius=100))
     >>> dent = nh.patch.Dent(depth=0.002, diameter=0.3, shoulder=0.0005)
     >>> solution = nh.solve(nh.Contact(roller, nh.Ring(diameter=80)), load=300)
-    >>> found = overrolled(solution, dent, cell=0.035, reach=1)
+    >>> found = overrolled(solution, dent, body="b", cell=0.035, reach=1)
     >>> round(found.relative_life(nh.life.zaretsky(), dents=10), 1)
     0.9
     """
@@ -260,7 +260,7 @@ def overrolled(
         dent=dent,
         body=body,
         diameter=2.0 / abs(curvature) if curvature else math.inf,
-        smooth=exposure(solution, body),
+        smooth=exposure(solution, body=body),
         positions=smooth.dx * np.array(places, dtype=float),
         max_pressure=np.array([passed[place].pressure[:, near].max() for place in places]),
         x=around.x,

@@ -126,7 +126,7 @@ def levels() -> tuple[Array, Array]:
     return root**2, np.asarray(CubicSpline(root, np.eye(LEVELS))(np.sqrt(depths()[0])))
 
 
-def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running]) -> Exposure:
+def exposure(solution: Solved, *, body: BodyName = "a", **options: Unpack[Running]) -> Exposure:
     """Return the stresses throughout the volume of one body over a pass of a solved contact.
 
     Parameters
@@ -134,7 +134,7 @@ def exposure(solution: Solved, body: BodyName = "a", **options: Unpack[Running])
     solution : Solution or PatchSolution
         A solved contact.
     body : {"a", "b"}
-        Which body.
+        The body that fatigues.
     **options
         ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
 
@@ -183,7 +183,7 @@ def section_exposure(solution: Solved, body: BodyName) -> Exposure:
     """
     inside = Inside.of(solution, body)
     if inside.wall is not None:
-        return exposure(solution, body)
+        return exposure(solution, body=body)
     y, width, half_width = _stations(solution, inside.body.faces)
     touching = solution.line_load > 0.0
     pressure = np.interp(y, solution.y[touching], solution.largest_across[touching])
