@@ -57,11 +57,12 @@ class Mark:
 
 @dataclass(frozen=True, eq=False)
 class Line(Mark):
-    """A line through points, shape (n,) each, which may be marked; interrupted at nan."""
+    """A line through points, shape (n,) each, which may be marked; interrupted at nan. A thin one shows more detail."""
 
     x: Array
     y: Array
     marked: bool = False
+    thin: bool = False
 
     @property
     def numbers(self) -> tuple[Array, ...]:

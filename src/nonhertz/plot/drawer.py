@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
@@ -26,6 +27,7 @@ from nonhertz.plot.sheets import (
     BAR_ROOM,
     HIGHEST_PANEL,
     LEFT,
+    LINE,
     MARGIN,
     NUMBERS,
     WIDTH,
@@ -48,6 +50,7 @@ EDGE, AROUND = 0.1, 0.75  # inch: to the left of a title over rows of panels, an
 LINEAR_PART: Final = 0.9  # decades, that each half of the linear part of an axis takes
 TICKS = 10  # at most, of a panel that is as wide as the page
 WITHIN_DECADES: Final = {1e2: (1.0, 2.0, 5.0), 1e3: (1.0, 3.0)}  # numbers at an axis whose ends have that ratio at most
+FLAT: Final = 150  # pixel, below which a panel has room for half as many ticks
 LETTERS: Final = 96  # of the conditions, that fit in a line
 APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 
@@ -119,7 +122,8 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     heights = [max(panel.height for panel in row) / DOTS for row in rows]
     keys = dict(zip(figure.panels, _keys(figure.panels), strict=True))
     lines = [max(_rows_of_key(keys[panel], (WIDTH - AROUND) / len(row)) for panel in row) for row in rows]
-    height = sum(heights) + AROUND * len(rows) + ROW_OF_KEY / 72.0 * sum(lines)
+    further = sum(max(_wrapped(panel.remark, WIDTH / len(row) - AROUND).count("\n") for panel in row) for row in rows)
+    height = sum(heights) + AROUND * len(rows) + ROW_OF_KEY / 72.0 * sum(lines) + LINE * further
     drawn = sheet(height, title, _lines(figure.conditions), EDGE)
     layout = ConstrainedLayoutEngine(rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
     drawn.set_layout_engine(layout)
@@ -132,7 +136,7 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
         last = row is rows[-1] or rows[place + 1][0].along is not row[0].along
         for column, panel in enumerate(row):
             several.append(drawn.add_subplot(grid[place, width * column : width * (column + 1)]))
-            draw_panel(panel, figure, several[-1], last=last, most=TICKS // len(row))
+            draw_panel(panel, figure, several[-1], last=last, most=TICKS // (2 if panel.height < FLAT else len(row)))
             if column and panel.upright.title() == row[0].upright.title():
                 several[-1].set_ylabel("")
     # Legends and headings fit into the width that is left to the panels.
@@ -140,6 +144,11 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     for place, (panel, key) in enumerate(keys.items()):
         _frame(panel, figure, key, *several[place:])
     return drawn
+
+
+def _wrapped(remark: str, width: float) -> str:
+    """Return a remark in lines that are at most so wide [inch]."""
+    return textwrap.fill(remark, round(width / LETTER * style.SMALL_SIZE / style.SIZE))
 
 
 def draw_framed(panel: Panel, figure: Figure, ax: Axes, *, most: int | None = None) -> Axes:
@@ -154,7 +163,7 @@ def _frame(panel: Panel, figure: Figure, key: Sequence[Panel], *several: Axes) -
     # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     ax.tick_params(labelsize=style.SIZE)
     if panel.remark:
-        ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(panel.remark)}")
+        ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(_wrapped(panel.remark, ax.bbox.width / ax.figure.dpi))}")
     factor = (panel.along or figure.along).scale[0]
     above = [(factor * mark.x, mark.words) for mark in panel.marks if isinstance(mark, Across) and mark.above]
     rows = draw_key(key, *several) + write_above(above, ax, ROW_OF_KEY)

@@ -116,7 +116,7 @@ def draw_mark(mark: Mark, pen: Pen) -> None:
 @draw_mark.register
 def _(mark: Line, pen: Pen) -> None:
     points: dict[str, Any] = {"marker": "o", "markersize": 2.5} if mark.marked else {}
-    width = style.HAIR if mark.colour == "paper" else style.LINE
+    width = style.HAIR if mark.colour == "paper" else style.THIN if mark.thin else style.LINE
     pen.ax.plot(pen.along(mark.x), pen.upright(mark.y), linewidth=width, **points, **_look(mark))
 
 

@@ -23,11 +23,12 @@ import { digits } from "./numbers.js";
 
 /** @typedef {{label: string, symbol: string, title: string, unit: string, factor: number, range?: [number, number], cut?: boolean, ticks?: [number, string][], logarithmic?: boolean}} Axis */
 /** @typedef {{kind: string, name?: string, colour?: string, dash?: string} & Record<string, any>} Mark */
-/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean, round?: boolean}} Panel */
+/** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean, round?: boolean, along?: Axis}} Panel */
 /** @typedef {{along: Axis, panels: Panel[], conditions?: string}} Figure */
 
 const HEIGHT = 240; // pixels, unless a panel says otherwise
 const LOW = 150; // pixels, below which there is little room for ticks
+const LETTER = 6; // pixels, of a mean letter
 const FAR = 2; // times the range, beyond which a line need not be drawn
 const HIGHEST = 300; // pixels, of a panel in true proportions
 const COLOURS = { first: FIRST, second: SECOND, ink: INK, faint: FAINT, paper: "var(--surface)" }; // of two lines at most
@@ -37,8 +38,8 @@ const HALO = { fill: INK, stroke: "var(--surface)", strokeWidth: 4 };
 
 /** What Plot draws of a mark; places beyond the axis are kept near it. @type {Record<string, (mark: any, look: any, frame: any) => any[]>} */
 const MARKS = {
-  line: ({ x, y }, { stroke, strokeDasharray }, { near }) => [
-    Plot.line(x, { x, y: near(y), stroke, strokeDasharray, strokeWidth: 1.6, clip: true }),
+  line: ({ x, y, thin }, { stroke, strokeDasharray }, { near }) => [
+    Plot.line(x, { x, y: near(y), stroke, strokeDasharray, strokeWidth: thin ? 1 : 1.6, clip: true }),
   ],
   steps: ({ edges, y }, { stroke }, { near }) => [
     Plot.rectY(y, { x1: edges.slice(0, -1), x2: edges.slice(1), y1: 0, y2: near(y), fill: stroke, fillOpacity: 0.12, clip: true }),
@@ -73,8 +74,9 @@ const MARKS = {
     const look = { fill: (value) => value, stroke: "#ffffff66", strokeWidth: 0.5 };
     return [Plot.contour(shown, { width: net.columns, height: net.rows, ...corners, ...look, thresholds })];
   },
-  points: ({ x, y, symbol = "circle" }, { stroke }, { colours }) => {
-    const dots = (look) => Plot.dot(x, { x, y, symbol: symbol === "dot" ? "circle" : symbol, ...look });
+  points: ({ x, y, symbol = "circle" }, { stroke }, { colours, within }) => {
+    const filter = y.map(within);
+    const dots = (look) => Plot.dot(x, { x, y, filter, symbol: symbol === "dot" ? "circle" : symbol, ...look });
     // Over colours a symbol has a rim.
     return colours ? [dots({ r: 4, fill: "white", stroke: "black" })] : [dots({ r: symbol === "dot" ? 2 : 3, fill: stroke })];
   },
@@ -87,17 +89,20 @@ const MARKS = {
       : []),
   ],
   level: ({ y }, { stroke, strokeDasharray }) => [Plot.ruleY([y], { stroke, strokeDasharray, strokeWidth: 0.8 })],
-  dimension: ({ low, high, y, words }, { stroke }) => [
+  dimension: ({ low, high, y, words }, { stroke }, frame) => [
     Plot.link([0], { x1: [low], x2: [high], y1: [y], y2: [y], stroke, markerStart: "arrow-reverse", markerEnd: "arrow" }),
-    ...written((low + high) / 2, y, words ?? ""),
+    ...written((low + high) / 2, y, words ?? "", "center", frame),
   ],
-  words: ({ x, y, words, side = "center" }) => written(x, y, words, side),
+  words: ({ x, y, words, side = "center" }, _, frame) => written(x, y, words, side, frame),
 };
 
-/** Words above a point. @param {number} x @param {number} y @param {string} words @param {string} [side] */
-function written(x, y, words, side = "center") {
-  const dx = { left: 5, center: 0, right: -5 }[side];
-  const options = { x: [x], y: [y], text: [words], dx, dy: -6, textAnchor: ANCHORS[side], lineAnchor: "bottom" };
+/** Words above a point, beside it where they would not fit into the axes. @param {number} x @param {number} y @param {string} words @param {string} side */
+function written(x, y, words, side, { span: [low, high], wide }) {
+  const half = (LETTER * Math.max(...words.split("\n").map(({ length }) => length))) / 2;
+  const at = (wide * (x - low)) / (high - low);
+  const fitting = side !== "center" ? side : at + half > wide ? "right" : at < half ? "left" : side;
+  const dx = { left: 5, center: 0, right: -5 }[fitting];
+  const options = { x: [x], y: [y], text: [words], dx, dy: -6, textAnchor: ANCHORS[fitting], lineAnchor: "bottom" };
   return words ? [Plot.text([0], { ...options, ...HALO })] : [];
 }
 
@@ -123,7 +128,10 @@ function gradient(id, x, values, { range }) {
  */
 export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE, pinnedAs = "pinned" } = {}) {
   const before = (name) => pinned?.panels.find((panel) => panel.name === name);
-  return drawn.panels.map((panel) => drawPanel(panel, drawn.along, before(panel.name), limits, panel.name === last, net, pinnedAs));
+  return drawn.panels.map((panel) => {
+    const labelled = panel.name === last || panel.along !== undefined;
+    return drawPanel(panel, panel.along ?? drawn.along, before(panel.name), limits, labelled, net, pinnedAs);
+  });
 }
 
 /**
@@ -145,16 +153,21 @@ function drawPanel(panel, along, pinned, limits, labelled, net, pinnedAs) {
   const reach = FAR * (high - low);
   const frame = {
     near: (values) => values.map((value) => (value === null ? NaN : Math.min(high + reach, Math.max(low - reach, value)))),
+    within: (value) => low <= value && value <= high,
     middle: along.range && (along.range[0] + along.range[1]) / 2,
     upright: (low + high) / 2,
     colours,
     net,
+    span: along.range ?? [0, 1],
+    wide: innerWidthOf(host),
     words: (place, height, number) =>
       [amount(along, place), amount(upright, height), amount(/** @type {Axis} */ (colours), number)].join("\n"),
   };
   noteNumbers(host, { along, panels: [panel] });
   const before = (pinned?.marks ?? []).filter(({ kind }) => kind === "line");
-  const key = lines.filter(({ name }) => name).map(({ name, colour = "first", dash = "solid" }) => [`${colour} ${dash}`, name]);
+  const listed = panel.marks.filter(({ kind, name }) => name && (kind === "line" || (kind === "points" && !colours)));
+  const swatch = ({ kind, colour = "first", dash = "solid" }) => `${colour} ${kind === "points" ? "dot" : dash}`;
+  const key = listed.map((mark) => [swatch(mark), mark.name]);
   const hasContours = panel.marks.some(({ kind }) => kind === "contours");
   const shades = colours && !hasContours ? [["gradient", `dark to bright: ${colours.symbol} 0 to ${value(colours, colours.range[1])}`]] : [];
   const margins = { ...MARGINS, ...(labelled ? { marginBottom: NAMED } : {}) };
@@ -205,11 +218,13 @@ function lengthOf({ range }) {
   return Math.abs(range[1] - range[0]);
 }
 
-/** The range of the upright axis, with that of what is pinned unless the axis is cut. */
+/** The range of the upright axis, downwards or upwards, with that of what is pinned unless the axis is cut. */
 function rangeOf({ upright }, pinned) {
   const [low, high] = upright.range ?? [0, 1];
   const other = pinned?.upright.range;
-  return upright.cut || !other ? [low, high] : [Math.min(low, other[0]), Math.max(high, other[1])];
+  if (upright.cut || !other) return [low, high];
+  const [below, above] = low < high ? [Math.min, Math.max] : [Math.max, Math.min];
+  return [below(low, other[0]), above(high, other[1])];
 }
 
 /** @param {Mark} mark */
