@@ -102,25 +102,45 @@ def test_the_gap_closes_where_the_bodies_touch():
     assert low < before.min() < 0.0 < high
 
 
+def profile_drawn(found, body):
+    """Return the line of the profile of a body, and the panel that it is in."""
+    (panel,) = found["profiles"][body]["panels"]
+    (line,) = (mark for mark in panel["marks"] if mark["kind"] == "line")
+    return line, panel
+
+
 def test_the_profile_is_the_relief_of_each_body():
     found = answer(changed(body__b__position=3.0))
-    a, b = found["profiles"]["a"], found["profiles"]["b"]
-    relief = nh.profile.logarithmic(amplitude=0.005, length=20.0, fraction=0.9999).relief(np.array(a["y"]))
-    # um and mm, one rounding.
-    assert_allclose(a["relief_um"], 1e3 * relief, rtol=1e-12)
-    assert (a["y"][0], a["y"][-1]) == (-10.0, 10.0)
-    assert (b["y"][0], b["y"][-1]) == (-7.0, 13.0), "a body without ends is drawn about its middle"
-    assert set(b["relief_um"]) == {0.0}
+    (a, panel), (b, _) = (profile_drawn(found, body) for body in "ab")
+    relief = nh.profile.logarithmic(amplitude=0.005, length=20.0, fraction=0.9999).relief(np.array(a["x"]))
+    assert_allclose(a["y"], relief, rtol=1e-12)
+    assert (a["x"][0], a["x"][-1]) == (-10.0, 10.0)
+    assert (b["x"][0], b["x"][-1]) == (-7.0, 13.0), "a body without ends is drawn about its middle"
+    assert set(b["y"]) == {0.0}
+    assert (panel["name"], panel["upright"]["title"]) == ("profile-a", "Relief [µm]")
+    assert panel["description"].startswith("Profile of body a: relief up to ")
 
 
 def test_a_profile_is_drawn_to_the_scale_of_its_land():
-    crowned = changed(body__a__profile=[{"kind": "crown", "radius": 2000.0}], body__a__corner_radius=0.5)
-    low, high = answer(crowned)["profiles"]["a"]["range_um"]
-    at_the_end_of_the_land = 1e3 * 9.5**2 / 4000.0
-    assert at_the_end_of_the_land < high < 1.3 * at_the_end_of_the_land, "the corner goes down 500 um"
-    assert low < 0.0
-    low, high = answer(STARTING)["profiles"]["a"]["range_um"]
-    assert 10.0 < high < 60.0, "a logarithm is cut at its ends"
+    crown = [{"kind": "crown", "radius": 2000.0}]
+    _, panel = profile_drawn(answer(changed(body__a__profile=crown, body__a__corner_radius=0.5)), "a")
+    low, high = panel["upright"]["range"]
+    at_the_end_of_the_land = 9.5**2 / 4000.0
+    assert at_the_end_of_the_land < low < 1.3 * at_the_end_of_the_land, "the corner goes down 500 um"
+    assert high < 0.0
+    # 9.5^2 / 4000 mm, the corner's 0.5 mm, and 0.5 mm along the tangent of the crown.
+    assert panel["remark"] == "axis cut, ends down to 525 µm"
+    _, panel = profile_drawn(answer(STARTING), "a")
+    assert 0.010 < panel["upright"]["range"][0] < 0.060, "a logarithm is cut at its ends"
+
+
+def test_a_table_that_holds_corners_is_drawn_to_the_scale_of_what_lies_between():
+    y = np.linspace(-10.0, 10.0, 401)
+    relief = y**2 / 20000.0 + np.maximum(np.abs(y) - 9.8, 0.0)
+    table = [{"kind": "tabulated", "y": y.tolist(), "relief": relief.tolist()}]
+    _, panel = profile_drawn(answer(changed(body__a__profile=table)), "a")
+    # Twice the relief at 96 % of the length, and an eighth of that beside; the corners go down 205 um.
+    assert panel["upright"]["range"][0] == pytest.approx(2.0 * 1.12 * 9.6**2 / 20000.0, rel=0.02)
 
 
 @pytest.mark.parametrize("body", ["a", "b"])

@@ -55,7 +55,7 @@ def test_pinned_cases_stay_beside_the_next(desk):
     assert row(desk, 1)["Load"] == "26.00 kN\n+30.0 %"
     for figure in ("pressure", "half-width", "gap"):
         assert "first pinned" in desk.page.locator(f'[data-figure="{figure}"] figcaption').inner_text()
-    assert "dotted: first pinned" in desk.page.locator('[data-figure="profile-a"]').text_content()
+    assert "first pinned" in desk.page.locator('[data-figure="profile-a"] figcaption').inner_text()
     desk.photograph("pinned")
     # Back to the first, by the keyboard; one is taken away, then the other.
     desk.page.locator("#pins button").first.focus()

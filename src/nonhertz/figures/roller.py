@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +15,7 @@ from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.figures.contact import land_ends
 from nonhertz.figures.forces import conditions
+from nonhertz.figures.profile import relief_between
 from nonhertz.figures.value import Across, Axis, Bar, Figure, Level, Line, Mark, Panel, Points, Range, Words
 from nonhertz.result.along import contact_lines
 from nonhertz.result.maximum import places_of_largest
@@ -24,8 +24,6 @@ from nonhertz.result.solution import Solution
 Array = NDArray[np.float64]
 
 STYLES: dict[str, dict[str, Any]] = {"inner": {"colour": "first"}, "outer": {"colour": "second", "dash": "dashed"}}
-POINTS = 161
-"""Places of a relief, denser at the ends."""
 ROOM, BEYOND = 1.15, 1.6
 """Upper end of an axis over the largest value, and where the pressure has no limit."""
 MARGIN = 0.02
@@ -183,13 +181,3 @@ def _relief(contacts: Any, loaded: dict[str, _Loaded], half: float, ends: Sequen
         "bars: where they touch" if loaded else "",
         150,
     )
-
-
-def relief_between(low: float, high: float, relief: Callable[[Array], Array]) -> tuple[Array, Array]:
-    """Return places from one position to another, denser at the ends, and a relief there; nan where it is infinite."""
-    spread = np.sin(np.linspace(-0.5 * np.pi, 0.5 * np.pi, POINTS))
-    y = np.clip(0.5 * (low + high) + 0.5 * (high - low) * spread, low, high)
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        values = np.array(relief(y))
-    return y, np.where(np.isfinite(values), values, np.nan)

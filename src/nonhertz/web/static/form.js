@@ -409,7 +409,7 @@ function List({ form, place, holds, value }) {
   if (value?.length > LONG.tables) return html`<${Hidden} ...${{ place, value, what: "entries" }} />`;
   const body = Object.entries(form.page.bodies).find(([, of]) => path === `${of}.profile`)?.[0];
   const figure = html`<figure data-figure="profile-${body}" class="profile-figure">
-    <figcaption class="unseen">Profile of ${bodyNamed(body ?? "")}</figcaption><div class="drawing"></div></figure>`;
+    <figcaption></figcaption><div class="drawing"></div></figure>`;
   return html`<${Group} place=${place} help=${holds.help}>${body && figure}
     ${(value ?? []).map((each, number) => entry(each, [...place, number + 1]))}
     <${Add} ...${{ form, place, tables: form.schema.ofNumbers(tables), value, body }} /><//>`;

@@ -85,19 +85,21 @@ function across(name, { curvature }, scale) {
  * The same from the side, with its profile.
  * @param {"a" | "b"} name
  * @param {Seen} body
- * @param {import("./types.js").Relief | undefined} profile
+ * @param {import("./panel.js").Figure | undefined} profile
  * @param {number} scale
  */
 function alongside(name, { curvature, interval }, profile, scale) {
   const [low, high] = interval.map((end, place) => (end === null ? (place ? FAR : -FAR) : end * scale));
   const up = name === "a" ? -1 : 1;
   const depth = up * (curvature > 0 ? (2 * scale) / curvature : FAR);
-  const deepest = profile ? Math.max(1e-6, profile.range_um[1]) : 1;
-  const surface = (profile?.y ?? []).map((y, place) => {
-    const relief = Math.min(profile?.relief_um[place] ?? Infinity, 2 * deepest);
+  const [panel] = profile?.panels ?? [];
+  const line = panel?.marks.find(({ kind }) => kind === "line") ?? { x: [], y: [] };
+  const deepest = panel ? panel.upright.range[0] : 1;
+  const surface = line.x.map((y, place) => {
+    const relief = Math.min(line.y[place] ?? Infinity, 2 * deepest);
     return `L${(y * scale).toFixed(1)} ${((up * RELIEF * relief) / deepest).toFixed(1)}`;
   });
-  const flat = interval.includes(null) || !profile?.relief_um.some((relief) => relief !== 0);
+  const flat = interval.includes(null) || !line.y.some((relief) => relief !== 0);
   return `M${low} ${depth}V0${flat ? `H${high}` : surface.join("")}L${high} ${depth}Z`;
 }
 

@@ -2,8 +2,7 @@
 
 /**
  * @typedef {{path: string, sentence: string}} Mistake
- * @typedef {{y: number[], relief_um: (number | null)[], range_um: [number, number]}} Relief
- * @typedef {{a?: Relief, b?: Relief}} Profiles
+ * @typedef {Record<string, import("./panel.js").Figure>} Profiles
  * @typedef {{
  *   max_pressure: number, max_pressure_y: number,
  *   approach: number, penetration: number, load: number, tilt: number, moment: number, max_half_width: number,

@@ -12,6 +12,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
 from nonhertz.figures.film import film_figures
 from nonhertz.figures.loads import roller_loads
+from nonhertz.figures.profile import body_relief
 from nonhertz.figures.roller import roller_lines
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
@@ -21,7 +22,6 @@ from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
 from nonhertz.show.key_numbers import bearing_numbers
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import collect_findings
-from nonhertz.web.view.answers import relief_of
 from nonhertz.web.view.replies import number_seen, verdict_seen
 
 Array = NDArray[np.float64]
@@ -53,13 +53,14 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
     tolerances = next((table for title, (table, *_) in shown if title == TOLERANCES), None)
     assert tolerances is None or isinstance(tolerances, Table)
     films = case.films(solution)
+    bearing = solution.bearing.rows[0].bearing
     return {
         "ok": True,
         "title": case.title,
         "method": solution.method,
         "numbers": [*map(number_seen, bearing_numbers(case, solution, life))],
         "rows": _rows(solution),
-        "profiles": {part: relief_of(getattr(solution.bearing.rows[0].bearing, part)) for part in PARTS},
+        "profiles": {part: body_relief(getattr(bearing, part), part).to_json() for part in PARTS},
         "angle": plain(solution.angle),
         "load": plain(solution.load),
         "force": plain(solution.force),
