@@ -12,7 +12,7 @@ from nonhertz.files.casefile import read_case
 from nonhertz.files.schemas import schema_of
 
 RADIUS = 900.0
-FILES = {"profile.csv", "profile.json", "profile.toml", "profile-steps.svg", "profile-steps.png"}
+FILES = {"profile.csv", "profile.json", "profile.toml", "profile-steps.svg", "profile-steps.png", "profile-steps.csv"}
 
 
 @pytest.fixture

@@ -388,8 +388,8 @@ def test_numbers_of_figures_are_saved(desk):
 def test_every_figure_is_saved(desk):
     for kind in ("SVG", "PNG"):
         figures = desk.page.locator(f'figure .savers button:has-text("{kind}")')
-        assert figures.count() == 6
-        for number in range(6):
+        assert figures.count() == 8  # two of them profiles
+        for number in range(figures.count()):
             name, content = desk.saved(figures.nth(number))
             assert name.endswith(f".{kind.lower()}")
             if kind == "SVG":

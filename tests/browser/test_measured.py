@@ -38,8 +38,8 @@ def upload(desk: Desk, path: Path, body: str = "a") -> None:
 
 
 def steps(desk: Desk) -> list[str]:
-    shown = desk.page.locator("#measured .step")
-    names: list[str] = shown.evaluate_all("all => all.map(each => each.dataset.step)")
+    shown = desk.page.locator("#measured .steps figure")
+    names: list[str] = shown.evaluate_all("all => all.map(each => each.dataset.figure)")
     return names
 
 
@@ -47,18 +47,24 @@ def test_a_measured_profile_is_prepared_and_used(desk, path):
     ideal = desk.numbers["Largest pressure"]
     upload(desk, path)
     everything = steps(desk)
-    assert {"level", "align", "outliers", "smooth"} <= set(everything)
-    assert desk.page.locator("#measured .step svg").count() == len(everything)
+    assert {"level", "align", "outliers", "smooth", "profile", "corner-low"} <= set(everything)
+    drawings = desk.page.locator("#measured .steps svg[role=img]")
+    assert drawings.count() == len(everything)
+    room = desk.page.locator("#measured .steps .drawing").first.bounding_box()["width"]
+    assert drawings.first.bounding_box()["width"] == pytest.approx(room, abs=2.0)
+    name, content = desk.saved(desk.page.locator('#measured [data-figure="level"] .savers button', has_text="CSV"))
+    assert name == "level.csv"
+    assert content.decode().splitlines()[0] == "panel,line,y [mm],value,unit"
     desk.photograph("measured")
     # A step is switched off and on again.
-    words = desk.page.locator('.step[data-step="smooth"] figcaption').inner_text()
+    words = desk.page.locator('[data-figure="smooth"] .remark').inner_text()
     desk.page.locator("#step-smooth").uncheck()
-    desk.page.locator('.step[data-step="smooth"]').wait_for(state="detached")
+    desk.page.locator('[data-figure="smooth"]').wait_for(state="detached")
     assert steps(desk) != everything
     desk.page.locator("#step-smooth").check()
-    desk.page.locator('.step[data-step="smooth"]').wait_for()
+    desk.page.locator('[data-figure="smooth"]').wait_for()
     assert steps(desk) == everything
-    assert desk.page.locator('.step[data-step="smooth"] figcaption').inner_text() == words
+    assert desk.page.locator('[data-figure="smooth"] .remark').inner_text() == words
     desk.press("#measured-use")
     assert not desk.page.locator("#measured").is_visible()
     assert desk.field("body.a.profile[1].kind").input_value() == "tabulated"

@@ -27,14 +27,14 @@ def belonging(found: Results) -> dict[str, list[Picture]]:
     if isinstance(found, CaseResults):
         values = contact.figures_of(found.solution)
         planes = stress_planes_drawn(found.solution, *found.stress) if found.stress else {}
-        more = {"Stress below the surface": _drawn(planes), "Life": [*_of_lives(found)]}
+        more = {"Stress below the surface": pictures_of(planes), "Life": [*_of_lives(found)]}
     else:
         values, more = {}, {}
         if found.solution is not None:
             values = bearing.figures_of(found.solution, films=found.case.films(found.solution))
-            more = {OF_OPERATION: _drawn(_of_films(values)), ALL_ROLLERS: _drawn(_named(values, "roller"))}
+            more = {OF_OPERATION: pictures_of(_of_films(values)), ALL_ROLLERS: pictures_of(_named(values, "roller"))}
             values = _named(values, "loads", "pressure", "displacement")
-    drawn = _drawn(values)
+    drawn = pictures_of(values)
     return {"": drawn[:1], "Results": drawn[1:]} | more
 
 
@@ -63,7 +63,7 @@ def _half(along: Axis) -> Axis:
     return replace(along, ticks=along.ticks[::2]) if len(along.ticks) > _MOST_TICKS else along
 
 
-def _drawn(values: Mapping[str, Figure]) -> list[Picture]:
+def pictures_of(values: Mapping[str, Figure]) -> list[Picture]:
     """Draw figures, each with what it says of itself."""
     with sheet_style():
         return [Picture(sheet_of(figure), figure.caption, figure.description) for figure in values.values()]
@@ -74,9 +74,9 @@ def _of_lives(found: CaseResults) -> Iterator[Picture]:
     assessed = found.lives
     if assessed is None:
         return
-    yield from _drawn({"": life_densities(assessed.spectrum, assessed.lives)})
+    yield from pictures_of({"": life_densities(assessed.spectrum, assessed.lives)})
     if assessed.dent is not None:
-        yield from _drawn({"": around_dent(assessed.dent, assessed.judging_dents)})
+        yield from pictures_of({"": around_dent(assessed.dent, assessed.judging_dents)})
 
 
 def of_all(found: Sequence[Results]) -> list[Picture]:
@@ -84,5 +84,5 @@ def of_all(found: Sequence[Results]) -> list[Picture]:
     bearings = {each.label: each.solution for each in found if isinstance(each, BearingResults) and each.solution}
     contacts = {each.label: each.solution for each in found if isinstance(each, CaseResults)}
     if bearings:
-        return _drawn({"": compared_bearings(bearings)})
-    return _drawn({"": compared_contacts(contacts)}) if contacts else []
+        return pictures_of({"": compared_bearings(bearings)})
+    return pictures_of({"": compared_contacts(contacts)}) if contacts else []

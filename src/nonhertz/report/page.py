@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from nonhertz.amounts import display_units
 from nonhertz.errors import InputError, joined
+from nonhertz.figures.measured import measured_steps
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.measured import KIND, read_measured, validate_key
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.plot import measured_figure
 from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, Assumption, Verdict, assumptions
 from nonhertz.report.differences import conclusion, differing_inputs, results, verdicts
@@ -29,7 +29,7 @@ from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
 from nonhertz.show.analysis import Announce, in_silence
 from nonhertz.show.beside import Cells, Compared, beside
-from nonhertz.show.sections import SUMMARY, Block, Cell, Picture, Said, Section, Table, summary
+from nonhertz.show.sections import SUMMARY, Block, Cell, Said, Section, Table, summary
 
 _SHORT = ("Film", "Friction", "Speeds and frequencies")
 MOST_NAMED = 3  # cases that the title of a comparison names
@@ -222,11 +222,9 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
             if table.get("kind") == KIND and content is not None:
                 values = {key: validate_key(key, value) for key, value in table.items() if key != "kind"}
                 measured = read_measured(content, values, file)
-                rows = measured_shown.rows(measured)
-                caption = f"From the measured points of {file} to the profile, step by step."
-                picture = Picture(measured_figure(measured), caption, " ".join(words for _, words, _ in rows))
+                drawn = figures.pictures_of({"": measured_steps(measured)})
                 title = f"What was done to {file}: {in_words(f'{place}.profile[{number}]')}"
-                yield Section(title, [summary(rows), picture])
+                yield Section(title, [summary(measured_shown.rows(measured)), *drawn])
 
 
 def _compared(found: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:

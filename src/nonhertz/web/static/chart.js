@@ -2,12 +2,11 @@
 
 import { html, render } from "./preact.js";
 import { save } from "./save.js";
-import { named, scaled } from "./units.js";
 
 export const INK = "currentColor";
 export const FIRST = "var(--first)";
 export const SECOND = "var(--second)";
-export const PINNED = "var(--pinned)";
+const PINNED = "var(--pinned)";
 export const FAINT = "var(--faint)";
 
 // The same side margins for all figures along y, so that the same y lines up.
@@ -97,19 +96,8 @@ export function head(host, heading, key, remark = "") {
   );
 }
 
-/**
- * An axis with a label in its middle.
- * @param {string} label
- * @param {string} unit of the program
- * @param {[number, number] | undefined} domain
- */
-export function axis(label, unit, domain) {
-  const title = unit ? `${label} [${named(unit)}]` : label;
-  return { ...scaled(unit, domain), label: title, labelAnchor: "center", labelArrow: "none", tickFormat: PLAIN };
-}
-
 /** A line through points. @param {(number|null)[]} x @param {(number|null)[]} y @param {object} options */
-export function line(x, y, options) {
+function line(x, y, options) {
   return Plot.line(x, { x, y, strokeWidth: 1.6, ...options });
 }
 

@@ -2,16 +2,14 @@
 //
 // The bytes are kept here. Every switch sends them again with other options, so every step can be undone.
 
-import { FIRST, PINNED, axis, draw, extent, line } from "./chart.js";
 import { byId } from "./elements.js";
 import { AWAY, send } from "./live.js";
+import { drawPanels } from "./panel.js";
 import { html, render, useRef } from "./preact.js";
 import { bodyNamed } from "./profiles.js";
-import { named } from "./units.js";
+import { unitsCode } from "./units.js";
 
-/** @typedef {{name: string, bytes: ArrayBuffer, options: Record<string, string>, answer: any}} Upload */
-/** @typedef {{y: number[], height_um: number[]}} Heights */
-/** @typedef {{name: string, sentence: string, before: Heights, after: Heights, floor_um: number}} Step */
+/** @typedef {{name: string, bytes: ArrayBuffer, options: Record<string, string>, answer: any, units?: string}} Upload */
 
 /** Steps: name, the option that switches it, and what it does. */
 const STEPS = [
@@ -46,7 +44,7 @@ export class Measured {
     /** @type {Record<string, Upload>} */
     this.uploads = {};
     this.body = "";
-    this.asked = 0;
+    this.count = 0; // of all requests
     this.dialog = /** @type {HTMLDialogElement} */ (byId("measured"));
     this.dialog.addEventListener("dragover", (event) => event.preventDefault());
     this.dialog.addEventListener("drop", (event) => this.dropped(event, this.body));
@@ -57,6 +55,8 @@ export class Measured {
     this.body = body;
     if (!this.dialog.open) this.dialog.showModal();
     this.draw();
+    const upload = this.uploads[body];
+    if (upload?.units && upload.units !== unitsCode()) void this.send(upload);
   }
 
   /** @param {DragEvent} event @param {string} body */
@@ -85,7 +85,8 @@ export class Measured {
 
   /** @param {Upload} upload */
   async send(upload) {
-    const number = (this.asked += 1);
+    const number = (this.count += 1);
+    upload.units = unitsCode();
     this.draw(true);
     const query = new URLSearchParams({ name: upload.name, ...upload.options });
     let answer;
@@ -94,7 +95,7 @@ export class Measured {
     } catch {
       answer = { ok: false, mistakes: [{ sentence: AWAY }] };
     }
-    if (number !== this.asked) return; // superseded by a later request
+    if (number !== this.count) return; // superseded by a later request
     upload.answer = answer;
     this.draw();
   }
@@ -109,6 +110,8 @@ export class Measured {
   /** @param {boolean} [stale] whether the answer is to other options */
   draw(stale = false) {
     render(html`<${Content} key=${this.body} measured=${this} upload=${this.uploads[this.body]} stale=${stale} />`, this.dialog);
+    const steps = this.uploads[this.body]?.answer?.steps;
+    if (steps && !stale) drawPanels(steps, undefined);
   }
 
   /** @param {Upload} upload */
@@ -173,7 +176,9 @@ function Outcome({ measured, upload, body }) {
   return html`
     ${answer.notes.map((words) => html`<p class="hint">${words}</p>`)}
     ${answer.warnings.length > 0 && html`<ul class="warnings">${list(answer.warnings)}</ul>`}
-    <div class="steps">${answer.steps.map((step) => html`<${StepFigure} key=${step.name} step=${step} />`)}</div>
+    <div class="figures steps">${answer.steps.panels.map(
+      ({ name }) => html`<figure key=${name} data-figure=${name}><figcaption></figcaption><div class="drawing"></div></figure>`,
+    )}</div>
     <details class="roughness"><summary>Roughness removed by smoothing</summary>
       <table>${answer.roughness.map(
         ([name, ...cells]) => html`<tr><th>${name}</th>${cells.map((cell) => html`<td>${cell}</td>`)}</tr>`,
@@ -182,33 +187,4 @@ function Outcome({ measured, upload, body }) {
       <button type="button" class="primary" id="measured-use" onClick=${() => measured.useIt(upload)}>
         Use as profile of ${body}</button>
       <span class="hint">${answer.table.y.length} points, replacing the profiles of ${body}</span></p>`;
-}
-
-/** What a step did: before in grey and after in colour. @param {{step: Step}} props */
-function StepFigure({ step }) {
-  return html`<figure class="step" data-step=${step.name} ref=${(host) => host && drawStep(host, step)}>
-    <figcaption><b>${step.name}</b> ${step.sentence}</figcaption><div class="drawing"></div></figure>`;
-}
-
-/** @param {HTMLElement} host @param {Step} step */
-function drawStep(host, { name, sentence, before, after, floor_um: floor }) {
-  // Corners go down a hundred times deeper than the land.
-  const heights = [...before.height_um, ...after.height_um].filter((height) => height >= floor);
-  draw(
-    host,
-    {
-      height: 130,
-      marginLeft: 46,
-      marginRight: 8,
-      marginTop: 8,
-      marginBottom: 30,
-      x: { ...axis("y", "mm"), ticks: 5 },
-      y: { ...axis("height", "µm", extent(heights)), nice: true, ticks: 3, grid: true },
-      marks: [
-        line(before.y, before.height_um, { stroke: PINNED, strokeWidth: 1, clip: true }),
-        line(after.y, after.height_um, { stroke: FIRST, strokeWidth: 1.4, clip: true }),
-      ],
-    },
-    `Heights in ${named("µm")} before and after the step ${name}. ${sentence}`,
-  );
 }

@@ -103,14 +103,3 @@ export function inFull(word) {
 export function force(newtons) {
   return chosen === SI && Math.abs(newtons) >= LEAST_KN ? parts(newtons / LEAST_KN, "kN") : parts(newtons, "N");
 }
-
-/**
- * What an axis needs whose numbers are in a unit of the program: it is labelled and divided as it is read.
- * @param {string} unit
- * @param {[number, number] | undefined} domain in the unit of the program
- */
-export function scaled(unit, domain) {
-  const factor = read(unit)[1];
-  if (factor === 1) return { domain };
-  return { domain: domain?.map((end) => factor * end), transform: (value) => factor * value };
-}

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, um
 from nonhertz.errors import InputError
+from nonhertz.figures.measured import measured_steps
 from nonhertz.files.measured import read_measured, validate_key
-from nonhertz.measured import Measured, StepResult, Trace
+from nonhertz.measured import Measured, Trace
 from nonhertz.measured.corners import positions
 from nonhertz.measured.trace import FEWEST_POINTS
 from nonhertz.model.profile import Tabulated
@@ -20,11 +19,8 @@ from nonhertz.model.profile.table import Interpolation
 from nonhertz.web.limits import UPLOAD_POINTS
 from nonhertz.web.view.replies import broken, job
 
-Array = NDArray[np.float64]
-
 MOST_POINTS: Final = 300
 """Of the profile; more would affect no result, and the whole case is sent with every request."""
-DRAWN_POINTS: Final = 600
 _NANOMETRES: Final = 6  # decimals of a mm
 
 
@@ -85,7 +81,7 @@ def _path(field: str) -> str:
 
 
 def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str, Any]:
-    found = measured.roughness
+    roughness = measured.roughness
     profile = _short(measured).profile(interpolation)
     assert isinstance(profile, Tabulated)
     return {
@@ -97,20 +93,11 @@ def _answer(measured: Measured, interpolation: Interpolation | None) -> dict[str
             "relief": [round(relief, _NANOMETRES + 2) for relief in profile.values],
             "interpolation": profile.interpolation,
         },
-        "steps": [
-            {
-                "name": after.name,
-                "sentence": after.words,
-                "before": _drawn(before.y, before.height),
-                "after": _drawn(after.y, after.height),
-                "floor_um": _floor(after),
-            }
-            for before, after in itertools.pairwise(measured.states)
-        ],
+        "steps": measured_steps(measured).to_json(),
         "notes": list(measured.trace.notes),
         "roughness": [
-            *([name, f"{um(value):3}", ""] for name, value in (("Ra", found.ra), ("Rq", found.rq), ("Rz", found.rz))),
-            ["cutoff", f"{mm(found.cutoff):3}", f"{found.sections} sections"],
+            *([name, f"{um(getattr(roughness, name.lower())):3}", ""] for name in ("Ra", "Rq", "Rz")),
+            ["cutoff", f"{mm(roughness.cutoff):3}", f"{roughness.sections} sections"],
         ],
         "warnings": list(measured.warnings),
     }
@@ -124,19 +111,3 @@ def _short(measured: Measured) -> Measured:
     whole = measured.without("thin") if thinned else measured
     # Corners keep points of their own, and so does the land beside them.
     return whole.thinned(max(MOST_POINTS - positions(whole.points).size, FEWEST_POINTS))
-
-
-def _floor(state: StepResult) -> float:
-    """Return down to which height [um] a step should be drawn so that its land can be seen."""
-    land = state.points.height_between_corners
-    return round(1e3 * float(land.min() - max(np.ptp(land), 1e-3)), 4)
-
-
-def _drawn(y: Array, height: Array) -> dict[str, Any]:
-    """Return points for a drawing: the lowest and the highest in each of many short stretches."""
-    if y.size > DRAWN_POINTS:
-        stretches = np.array_split(np.arange(y.size), DRAWN_POINTS // 2)
-        kept = [{part[height[part].argmin()], part[height[part].argmax()]} for part in stretches]
-        chosen = np.array(sorted(set().union(*kept)))
-        y, height = y[chosen], height[chosen]
-    return {"y": np.round(y, _NANOMETRES).tolist(), "height_um": np.round(1e3 * height, 4).tolist()}
