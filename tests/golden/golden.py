@@ -125,8 +125,9 @@ def compact(found):
 
 
 def machine():
-    """Return what rounding depends on: system and libraries."""
-    system = [platform.machine(), *platform.libc_ver(), platform.python_version()]
+    """Return what rounding depends on: system, libraries, and the instructions by which they sum."""
+    extensions = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
+    system = [platform.machine(), *extensions, *platform.libc_ver(), platform.python_version()]
     return " ".join([*system, *(library.__version__ for library in (np, scipy))])
 
 
