@@ -5,7 +5,7 @@
 Pictures of examples are those that `nonhertz solve --out` writes; those of finite bodies are drawn here. In the
 tutorials every line that begins with `$ nonhertz` is run and what it prints put below it; a comment `<!-- edit: `old`
 to `new` -->` edits the case file in between. The pictures of the first solve are of its own case, as edited by then,
-and those of the bearing of the bearing's tutorial, which its lines of Python make.
+and those of the tutorial of bearing loads of the bearing that its lines of Python make.
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ from nonhertz.plot.style import (
 ROOT = Path(__file__).parents[1]
 FIGURES = ROOT / "docs" / "figures"
 TUTORIAL = ROOT / "docs" / "tutorials" / "first-solve.md"
-BEARING_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-life.md"
+BEARING_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-loads.md"
+LIFE_TUTORIAL = ROOT / "docs" / "tutorials" / "bearing-life.md"
 EDGE_LOADING = ROOT / "docs" / "how-to" / "edge-loading.md"
 # Picture's name to the example it is of, and which of its figures the documents show.
 EXAMPLES = {
@@ -88,7 +89,7 @@ def main() -> None:
     draw_bearing("whole-bearing")
     draw_bearing_tutorial("bearing-life")
     draw_edge_loading("edge-loading")
-    for page in (TUTORIAL, BEARING_TUTORIAL):
+    for page in (TUTORIAL, LIFE_TUTORIAL):
         page.write_text(with_output(page.read_text(encoding="utf-8")), encoding="utf-8")
         print(f"wrote {page.relative_to(ROOT)}")
 
@@ -161,15 +162,7 @@ def draw_measured(stem: str) -> None:
 
 def draw_bearing(stem: str) -> None:
     """Write the pictures of the bearing of the how-to page."""
-    roller = nh.Roller(diameter=9, length=10, corner_radius=0.3, profile=nh.profile.crown(radius=1200))
-    nu206 = nh.bearing.CylindricalRollerBearing(
-        roller=roller,
-        inner=nh.Ring(diameter=37.5, depth=3.75),
-        outer=nh.Ring(diameter=-55.5, depth=3.25),
-        rollers=13,
-        clearance=0.0184,
-    )
-    drawn = bearing_figures(nh.bearing.solve(nu206, radial=10e3, tilt=3e-4), "NU 206, misaligned")
+    drawn = bearing_figures(nh.bearing.solve(nh.new_bearing().bearing, radial=10e3, tilt=3e-4), "NU 206, misaligned")
     for name in ("loads", "pressure"):
         write(drawn[name], f"{stem}-{name}")
 

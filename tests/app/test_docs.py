@@ -28,7 +28,7 @@ SHOWN_ELSEWHERE = [
 WRITTEN = (path for path in DOCS.rglob("*") if GENERATED.isdisjoint(path.parents))
 PAGES = sorted(path for path in WRITTEN if path.suffix in {".md", ".rst"})
 MARKDOWN = [path for path in (*PAGES, *SHOWN_ELSEWHERE) if path.suffix == ".md"]
-HOW_TOS = [*sorted((DOCS / "how-to").glob("*.md")), DOCS / "tutorials" / "bearing-life.md"]
+HOW_TOS = [*sorted((DOCS / "how-to").glob("*.md")), *sorted((DOCS / "tutorials").glob("bearing-*.md"))]
 
 FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 TOCTREE = re.compile(r"^```\{toctree\}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
