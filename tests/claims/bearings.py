@@ -27,11 +27,11 @@ from nonhertz.bearing import (
     reference_viscosity,
     solve,
 )
-from nonhertz.bearing.equilibrium import Joint, System, balanced
+from nonhertz.bearing.equilibrium import Joint, System, solve_balance
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import raceway_motion, ring_motion
-from nonhertz.bearing.strips import stripped
-from nonhertz.bearing.verb import joined
+from nonhertz.bearing.strips import cut_into_strips
+from nonhertz.bearing.verb import assemble
 from nonhertz.native import core
 
 Method = Literal["strips", "slices"]
@@ -101,7 +101,7 @@ def _spread(exponent: float) -> tuple[float, float]:
     # A ring that does not move along the axis loads half of the rollers.
     system = System(ring_motion(at, (0.0, 2000.0)), joints, np.zeros((MANY, 3)), 5.0)
     radial = np.array([False, True, True, False, False])
-    states = balanced(system, radial, np.array([[0.0, load, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
+    states = solve_balance(system, radial, np.array([[0.0, load, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
     factor = float(states.load.max()) * MANY * math.cos(ANGLE) / load
     return factor, float(states.force[0, 0]) / (load * math.tan(ANGLE))
 
@@ -307,13 +307,13 @@ def _of_slices(bearing: TaperedRollerBearing, ring: Array) -> tuple[Array, Array
 
 def _of_kept_strips(solution: BearingSolution) -> Callable[[Array], tuple[Array, Array]]:
     """Return the same by strips that are laid once: where they are laid anew, the error of the grid jumps."""
-    laws = [core.StripLaw([stripped(contact)]) for contact in solution.bearing.rows[0].bearing.contacts]
-    system = joined(solution.bearing, solution.roller_load, [laws])
+    laws = [core.StripLaw([cut_into_strips(contact)]) for contact in solution.bearing.rows[0].bearing.contacts]
+    system = assemble(solution.bearing, solution.roller_load, [laws])
     none, ring = np.zeros(5, dtype=bool), solution.displacement[None]
-    begun = balanced(system, none, ring, ring, 0.01).motion
+    begun = solve_balance(system, none, ring, ring, 0.01).motion
 
     def held(ring: Array) -> tuple[Array, Array]:
-        found = balanced(system, none, ring[None], ring[None], 0.01, motion=begun)
+        found = solve_balance(system, none, ring[None], ring[None], 0.01, motion=begun)
         return found.force[0], found.stiffness[0]
 
     return held

@@ -265,8 +265,8 @@ def test_no_patch_whose_results_are_not_numbers_leaves_as_converged(monkeypatch)
 def test_a_state_of_a_bearing_with_a_load_that_is_not_a_number_is_not_settled():
     shapes = [(5,), (5,), (5, 5), (), (), (3, 3), (3, 2, 2), (3, 2, 7)]
     states = States(*(np.zeros((2, *shape)) for shape in shapes))
-    assert states.settled(1e-9).tolist() == [True, True]
+    assert states.converged(1e-9).tolist() == [True, True]
     states.answer[1, 2, 0, 0] = np.nan
-    assert states.settled(1e-9).tolist() == [True, False]
+    assert states.converged(1e-9).tolist() == [True, False]
     states.force[0, 3] = np.inf
-    assert states.settled(1e-9).tolist() == [False, False]
+    assert states.converged(1e-9).tolist() == [False, False]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from nonhertz.bearing.equilibrium import Joint, System, balanced
+from nonhertz.bearing.equilibrium import Joint, System, solve_balance
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.section import point_motion, raceway_motion, ring_motion
 from nonhertz.native import core
@@ -77,7 +77,7 @@ def test_forces_and_rollers_are_in_balance(name):
     if not by_force[0]:
         target[:, 0] = 0.0
         target[:, 3:] = [[1e-3, -5e-4], [0.0, 2e-4]]
-    states = balanced(rollers, by_force, target, np.zeros((2, 5)), 0.01)
+    states = solve_balance(rollers, by_force, target, np.zeros((2, 5)), 0.01)
     assert np.all(states.residual < 1e-9)
     for k in range(2):
         total, left = by_hand(rollers, states, k)
@@ -92,8 +92,10 @@ def test_near_the_balance_ring_and_rollers_step_together(name):
     rollers = CASES[name]
     by_force = ALL if rollers.joints[0].motion[0, 0] else RADIAL
     target = np.array([[9e3, 6e3, -8e3, 2e4, -1e4]]) if by_force[0] else np.array([[0.0, 6e3, -8e3, 1e-3, -5e-4]])
-    begun = balanced(rollers, by_force, target, np.zeros((1, 5)), 0.01)
-    found = balanced(rollers, by_force, np.where(by_force, 1.02, 1.0) * target, begun.ring, 0.01, motion=begun.motion)
+    begun = solve_balance(rollers, by_force, target, np.zeros((1, 5)), 0.01)
+    found = solve_balance(
+        rollers, by_force, np.where(by_force, 1.02, 1.0) * target, begun.ring, 0.01, motion=begun.motion
+    )
     assert found.residual[0] < 1e-9
     assert found.steps[0] <= 3
 
@@ -106,7 +108,7 @@ def test_stiffness_is_the_derivative_of_the_forces(name):
     held = np.zeros(5, dtype=bool)
 
     def at(moved):
-        return balanced(rollers, held, moved[None], np.zeros((1, 5)), 0.01)
+        return solve_balance(rollers, held, moved[None], np.zeros((1, 5)), 0.01)
 
     steps = np.diag([1e-6, 1e-6, 1e-6, 1e-7, 1e-7])
     found = [(at(ring + step).force[0] - at(ring - step).force[0]) / (2.0 * step.sum()) for step in steps]
@@ -131,7 +133,7 @@ def test_random_bearings_come_to_a_balance(seed):
     # Less than that of one roller that bears all, and what speed presses against the ribs, and a row falls apart.
     axial = np.tan(outer) * (1.1 * np.hypot(*radial) + 1.5 * rollers.rollers * speed[1]) * rng.uniform(1.0, 5.0)
     target = np.array([[axial, *radial, *rng.uniform(-2e-3, 2e-3, 2)]])
-    states = balanced(rollers, by_force, target, np.zeros((1, 5)), 0.01)
+    states = solve_balance(rollers, by_force, target, np.zeros((1, 5)), 0.01)
     assert states.residual[0] < 1e-9
     assert states.steps[0] < 40
     total, left = by_hand(rollers, states, 0)
@@ -141,7 +143,7 @@ def test_random_bearings_come_to_a_balance(seed):
 
 
 def test_a_roller_that_touches_nothing_bears_nothing():
-    states = balanced(CASES["clearance"], RADIAL, np.array([[0.0, 5e3, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
+    states = solve_balance(CASES["clearance"], RADIAL, np.array([[0.0, 5e3, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
     load = states.load[0]
     assert load[7].max() < 1e-9 * load.max()
     assert load[0, 0] == pytest.approx(load[0, 1], rel=1e-8)
@@ -162,7 +164,7 @@ def test_laws_without_a_balance_are_asked_a_hundred_times_at_most():
         Joint(inner, raceway_motion(0.0, inner=inner), np.zeros(8), law, int(not inner)) for inner in (True, False)
     ]
     rollers = System(ring_motion(np.pi / 4.0 * np.arange(8), (0.0, 30.0)), tuple(joints), np.zeros((8, 3)), 5.0)
-    states = balanced(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
+    states = solve_balance(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
     assert states.residual[0] > 1e-9
     assert max(times.values()) == 100
 
@@ -183,4 +185,4 @@ def test_what_a_law_raises_passes_through_the_search():
     joints = [Joint(True, raceway_motion(0.0, inner=True), np.zeros(8), core.PythonLaw(failing), 0)]
     rollers = System(ring_motion(np.pi / 4.0 * np.arange(8), (0.0, 30.0)), tuple(joints), np.zeros((8, 3)), 5.0)
     with pytest.raises(LookupError, match="no answer"):
-        balanced(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)
+        solve_balance(rollers, RADIAL, np.array([[0.0, 150.0, 0.0, 0.0, 0.0]]), np.zeros((1, 5)), 0.01)

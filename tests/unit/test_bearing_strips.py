@@ -9,7 +9,7 @@ from crowned_rows import nu206
 from numpy.testing import assert_allclose, assert_array_equal
 
 import nonhertz as nh
-from nonhertz.bearing.strips import stripped, unsolved
+from nonhertz.bearing.strips import cut_into_strips, no_solution_error
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.native import core
 
@@ -20,7 +20,7 @@ POSES = [(0.0118, 1.46e-4), (0.004, 0.0), (0.009, -1.2e-3), (0.0006, 2e-4)]
 
 
 def law_of(*contacts, strips=None):
-    return core.StripLaw([stripped(each) for each in contacts], strips)
+    return core.StripLaw([cut_into_strips(each) for each in contacts], strips)
 
 
 def asked(law, *pose, row=0, other=None):
@@ -74,7 +74,7 @@ def test_answers_are_those_of_a_contact_by_itself(pose):
 def test_a_contact_that_followed_is_the_one_solved_there_on_the_same_strips(pose, change):
     law = law_of(INNER, strips=41)
     asked(law, *pose)
-    depth = float(stripped(INNER).penetration(np.array([pose]))[0])
+    depth = float(cut_into_strips(INNER).penetration(np.array([pose]))[0])
     there = pose[0] + change[0] * depth, pose[1] + change[1] * depth / 5.0
     anew = asked(law_of(INNER, strips=41), *there)
     followed = asked(law, *there)
@@ -162,7 +162,7 @@ def test_contacts_that_mirror_each_other_answer_so():
 
 
 def test_few_loops_are_kept():
-    contact = stripped(INNER)
+    contact = cut_into_strips(INNER)
     law, most = core.StripLaw([contact]), 0
     for row in range(40):
         asked(law, 0.01, 1e-5 * row, row=row)
@@ -178,7 +178,7 @@ def test_a_contact_without_a_solution_is_named():
     with pytest.raises(core.Unsolved) as raised:
         asked(law_of(INNER), 30.0, 0.0)
     said = "The contact of a roller at an approach of 30000 µm and a tilt of 0 mrad has no solution: "
-    assert str(unsolved(raised.value)).startswith(said)
+    assert str(no_solution_error(raised.value)).startswith(said)
 
 
 def test_a_profile_without_a_number_is_named():
@@ -219,7 +219,7 @@ def test_the_load_fades_with_the_penetration(tilt):
     summit = 1200.0 * (np.sqrt(1.0 + tilt**2) - 1.0)
     depth = np.geomspace(1e-4, 1e-9, 6)
     poses = np.stack([depth - summit, np.full(6, tilt)], axis=1)
-    assert_allclose(stripped(contact).penetration(poses), depth, rtol=1e-3, atol=1e-12)
+    assert_allclose(cut_into_strips(contact).penetration(poses), depth, rtol=1e-3, atol=1e-12)
     loads = np.array([asked(law, each - summit, tilt)[0] for each in depth])
     # Hertz's ellipse, whose load falls nearly with the power 3/2.
     powers = np.diff(np.log(loads)) / np.diff(np.log(depth))
@@ -230,7 +230,7 @@ def test_the_load_fades_with_the_penetration(tilt):
 @pytest.mark.parametrize("tilt", [2e-4, -1.6e-3, 4.4e-3])
 def test_the_overlap_on_a_corner_is_that_of_its_circle(tilt):
     """A tilted roller touches beside the end of its flat part, where samples of the profile lie far apart."""
-    contact = stripped(nh.Contact(nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3), nh.Plate()))
+    contact = cut_into_strips(nh.Contact(nh.Roller(diameter=9.0, length=10.0, corner_radius=0.3), nh.Plate()))
     touch = abs(tilt) * 4.7 + 0.3 * (np.sqrt(1.0 + tilt**2) - 1.0)
     depth = np.array([1e-3, 1e-8, 0.0, -1e-8, -1e-3])
     poses = np.stack([depth - touch, np.full(5, tilt)], axis=1)

@@ -12,11 +12,11 @@ from nonhertz.figures.value import Line
 from nonhertz.files.free_forms import FreeForm, parse_free_form
 from nonhertz.plot.drawer import sheet_of
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.study.design import begins_of, best, checked, front
+from nonhertz.study.design import best, check_design, find_starts, front
 from nonhertz.study.figures import design_figures, front_figures
 from nonhertz.study.limits import limits_in
 from nonhertz.study.objective import Variable
-from nonhertz.study.search import _Searching
+from nonhertz.study.search import _Searcher
 
 pytestmark = pytest.mark.filterwarnings("ignore::nonhertz.AccuracyWarning")
 
@@ -28,7 +28,7 @@ RADIUS = {"body.a.profile.radius": "1500 mm : 30000 mm"}
 
 
 def asked(vary, goal="pressure", loads=None, where=None, case=CASE):
-    return checked(case, vary, goal, loads or LOADS, where, None, None)[0]
+    return check_design(case, vary, goal, loads or LOADS, where, None, None)[0]
 
 
 @pytest.mark.parametrize("goal", ["pressure", "life"])
@@ -160,7 +160,7 @@ def test_margins_by_differences_are_those_of_gradients():
     np.testing.assert_allclose(judged.margins(), expected, rtol=1e-12)
     exact = judged.slopes_of_margins()
     # Over a hundredth of the way between the bounds.
-    np.testing.assert_allclose(_Searching(task)._differences(x, len(exact)), exact, rtol=0.05)
+    np.testing.assert_allclose(_Searcher(task)._differences(x, len(exact)), exact, rtol=0.05)
 
 
 def free_stiffness(found):
@@ -293,7 +293,7 @@ def test_what_cannot_be_designed_is_refused_in_one_sentence(given, what):
 
 def test_searches_begin_all_over_a_range_but_not_at_its_ends():
     vary = RADIUS | {"body.a.diameter": "15 mm : 25 mm"}
-    now, *spread = begins_of(asked(vary), 17)
+    now, *spread = find_starts(asked(vary), 17)
     np.testing.assert_allclose(now, [math.log(4000 / 1500) / math.log(30000 / 1500), 0.5])
     low, high = np.min(spread, axis=0), np.max(spread, axis=0)
     assert np.all((low > 0.0) & (low < 0.15) & (high > 0.85) & (high < 1.0))

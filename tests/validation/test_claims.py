@@ -12,8 +12,7 @@ import claims
 import nonhertz as nh
 from claims import bearings, fatigue_life, plane_grid
 from claims.claim import forget
-from nonhertz.bearing import bearings as rows
-from nonhertz.bearing import equilibrium, standard, verb
+from nonhertz.bearing import equilibrium, roller_bearing, standard, verb
 from nonhertz.bodies import depths, images
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.life import capacity
@@ -133,7 +132,7 @@ FAST = [
     ),
     # Slices take theirs elsewhere, where the rollers' own loads have to be along them.
     Mistake(
-        "normals of raceways two milliradians off", [(rows, "raceway_motion")],
+        "normals of raceways two milliradians off", [(roller_bearing, "raceway_motion")],
         lambda right: lambda angle, **more: right(angle + 2e-3, **more), ["bearings/two-hr*"],
         ["*/two-hr30306j-strips-what-is*", "*/two-hr30306j-strips-what-the*"], 2,
     ),
@@ -169,7 +168,7 @@ LATE = [
         ["*/nu-206-displacement"],
     ),
     Mistake(
-        "a stiffness a hundredth of a per cent off", [(bearings, "balanced"), (verb, "balanced")],
+        "a stiffness a hundredth of a per cent off", [(bearings, "solve_balance"), (verb, "solve_balance")],
         changed(lambda found: found._replace(stiffness=1.0001 * found.stiffness)), ["bearings/*-error-of-k*"], ["*"], 2,
     ),
     Mistake(*FIELD, ["subsurface/line-*-any-stress*"], ["*"], 2),

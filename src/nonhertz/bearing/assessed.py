@@ -198,7 +198,7 @@ class BearingLife(HasFindings):
             f"C = {newton(rated.dynamic)}, C0 = {newton(rated.static)}, "
             f"P = {newton(self.equivalent_load)}, S0 = {_or_none(self.static_safety, 3)}",
             f"L10 = {_or_none(self.basic_life)}, L10r = {format_digits(self.reference_life, 4)} million revolutions",
-            self._modified(),
+            self._rated_in_words(),
         ]
         if self.internally_loaded:
             lines.append(f"no S0 and no L10: P {LEFT_OUT}")
@@ -212,7 +212,7 @@ class BearingLife(HasFindings):
             lines.append(f"assumed: {', '.join(dict(assumption.numbers)['default'] for assumption in self.assumed)}")
         return plain_text("BearingLife", [*lines, *self.warnings])
 
-    def _modified(self) -> str:
+    def _rated_in_words(self) -> str:
         factors, of_oil = self.factors
         kind, why = ("rated", f"; {self.no_modified}") if self.no_modified else ("modified", "")
         words = f"{kind} {format_digits(self.rated_life, 4)} million revolutions: {factors}"
@@ -358,8 +358,10 @@ def assess(
     )
     _check_oil(conditions, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
-    lives = tuple((_life(state, conditions, pace), share) for (state, share), pace in zip(pairs, speeds, strict=True))
-    life = lives[0][0] if isinstance(solution, BearingSolution) else _together(lives, conditions)
+    lives = tuple(
+        (_assess_one(state, conditions, pace), share) for (state, share), pace in zip(pairs, speeds, strict=True)
+    )
+    life = lives[0][0] if isinstance(solution, BearingSolution) else _combine_lives(lives, conditions)
     if conditions.required is None:
         return life
     return replace(life, required=million_revolutions(conditions.required, life.speed))
@@ -399,7 +401,7 @@ def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
     return np.broadcast_to(speeds, count).tolist()  # type: ignore[no-any-return]
 
 
-def _life(solution: BearingSolution, conditions: _Conditions, speed: float | None) -> BearingLife:
+def _assess_one(solution: BearingSolution, conditions: _Conditions, speed: float | None) -> BearingLife:
     by_strips = solution.method == "strips"
     stress = conditions.edge_stress
     if stress is None:
@@ -450,7 +452,7 @@ def _basis(solution: BearingSolution, edge_stress: str) -> str:
     return words
 
 
-def _together(parts: tuple[tuple[BearingLife, float], ...], conditions: _Conditions) -> BearingLife:
+def _combine_lives(parts: tuple[tuple[BearingLife, float], ...], conditions: _Conditions) -> BearingLife:
     lives, shares = [life for life, _ in parts], [share for _, share in parts]
     reference, rated = (
         miner([getattr(part, name) for part in lives], shares) for name in ("reference_life", "rated_life")

@@ -206,9 +206,9 @@ def from_catalogue(
         float(bore), float(outside_diameter), float(width), float(dynamic), float(static), kind, inner_raceway,
         outer_raceway, angle, rollers, roller_length,
     )  # fmt: skip
-    best, numbers = _most_probable(sizes)
+    best, numbers = _find_most_probable(sizes)
     slack = _clearance(sizes, clearance)
-    bearing = _made(sizes, best, slack)
+    bearing = _build_bearing(sizes, best, slack)
     return CatalogueGuess(
         bearing, _sentences(sizes, best, numbers, slack, clearance is None), sizes.dynamic, sizes.static,
         rating(bearing), numbers,
@@ -312,13 +312,13 @@ class _Inside:
         )
 
 
-def _most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
+def _find_most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
     """Return the most probable inside, and the numbers of rollers that are about as probable."""
     low, high = sizes.diameters
     least = min(sizes.pitch(low) - low, sizes.pitch(high) - high)
     most = min(MOST_ROLLERS, int(math.pi * (least + high) / low) + 1)
     numbers = range(FEWEST_ROLLERS, most + 1) if sizes.rollers is None else (sizes.rollers,)
-    candidates = [_best(sizes, number) for number in numbers]
+    candidates = [_fit_rollers(sizes, number) for number in numbers]
     fitting = [inside for inside in candidates if inside is not None]
     if not fitting:
         rings = f"{mm(sizes.bore, sizes.outside, between=' and '):g}, {mm(sizes.width):g} wide"
@@ -334,7 +334,7 @@ def _most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
     return best, (min(near), max(near))
 
 
-def _best(sizes: _Sizes, rollers: int) -> _Inside | None:
+def _fit_rollers(sizes: _Sizes, rollers: int) -> _Inside | None:
     """Return the most probable inside of a number of rollers, None if they do not fit."""
     low, high = sizes.diameters
     best: _Inside | None = None
@@ -348,7 +348,7 @@ def _best(sizes: _Sizes, rollers: int) -> _Inside | None:
     return best
 
 
-def _made(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBearing:
+def _build_bearing(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBearing:
     """Return the bearing, whose rollers meet in one point with the raceways if they are tapered."""
     diameter, length, pitch = inside.diameter, inside.length, inside.pitch
     known: dict[str, Any] = {"bore": sizes.bore, "outside_diameter": sizes.outside, "width": sizes.width}

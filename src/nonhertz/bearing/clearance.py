@@ -234,8 +234,8 @@ class Mounting(Input):
             lost_to_outer_fit=0.0 - mounted[1],  # not -0.0
             lost_to_temperatures=(warmed[0] - mounted[0]) - (warmed[1] - mounted[1]) + rollers,
             lost_to_speed=turning.raceway - warmed[0],
-            inner=turning.described(cold[0].pressure, warmth["shaft.temperature"] - warmth["inner_temperature"]),
-            outer=warm[1].described(cold[1].pressure, warmth["outer_temperature"] - warmth["housing.temperature"]),
+            inner=turning.describe(cold[0].pressure, warmth["shaft.temperature"] - warmth["inner_temperature"]),
+            outer=warm[1].describe(cold[1].pressure, warmth["outer_temperature"] - warmth["housing.temperature"]),
         )
 
     def expansion(self, bearing: RollerBearing | Paired) -> float:
@@ -293,10 +293,10 @@ class Mounting(Input):
         one_of("method", method, ("strips", "slices"), "name one of both")
         if isinstance(bearing, Paired):
             if bearing.preload is not None:
-                from nonhertz.bearing.verb import adjusted
+                from nonhertz.bearing.verb import adjust_preload
 
                 cold = tuple(self._cold(row, clearance) for row in bearing.bearings)
-                between = adjusted(replace(bearing, bearings=cold), method).clearance  # type: ignore[union-attr]
+                between = adjust_preload(replace(bearing, bearings=cold), method).clearance  # type: ignore[union-attr]
                 bearing = replace(bearing, clearance=between, preload=None)
             rows = tuple(self._row(row, speed, clearance) for row in bearing.bearings)
             return replace(bearing, bearings=rows, clearance=bearing.clearance + self.expansion(bearing))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bearing.laws import OVERLAP, ContactLaw, for_core
-from nonhertz.bearing.strips import unsolved
+from nonhertz.bearing.strips import no_solution_error
 from nonhertz.life.lamina import roller_stiffness
 from nonhertz.native import core
 from nonhertz.solver.refusals import refusal_in_words
@@ -53,7 +53,7 @@ class States(NamedTuple):
         """Loads of contacts [N], shape (states, rollers, columns)."""
         return self.answer[..., 0]
 
-    def settled(self, tolerance: float) -> Flags:
+    def converged(self, tolerance: float) -> Flags:
         """Return which states are balanced, their loads and motions finite."""
         numbers = np.column_stack([self.ring, self.force, self.load.reshape(len(self.ring), -1)])
         settled: Flags = (self.residual <= tolerance) & np.all(np.isfinite(numbers), axis=1)
@@ -108,7 +108,7 @@ class System:
         return core.Assembly(ring, joints, load, self.lever, roller_stiffness(2.0 * self.lever))
 
 
-def balanced(
+def solve_balance(
     system: System,
     by_force: Flags,
     target: Array,
@@ -152,14 +152,14 @@ def balanced(
     try:
         states = core.balance(system.assembly, *conditions, target, ring, begin, threads)
     except core.Unsolved as error:
-        raise unsolved(error) from None
+        raise no_solution_error(error) from None
     except core.Refused as refused:  # of contacts on strips
         raise refusal_in_words(refused, math.nan, (math.nan, math.nan)) from None
     assert states is not None  # nobody stops it but by a signal, whose exception passes
     return States(*states)
 
 
-def at_edge(system: System, state: States) -> tuple[Indices, Array]:
+def find_edge_rollers(system: System, state: States) -> tuple[Indices, Array]:
     """Return the rollers that stand at the edge of the load zone, and what a small motion of the ring finds.
 
     A roller that just touches both rings without load has no part in the derivatives of the forces, and bears as soon
@@ -183,7 +183,9 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
     floor, depth = NO_LOAD * float(load.max()), max(EDGE, float(overlap.max()))
     near = np.flatnonzero((load <= floor) & (overlap > -2.0 * EDGE))
     by_force, moved = np.zeros(5, dtype=np.bool_), state.ring + EDGE * np.concatenate([np.eye(3, 5), -np.eye(3, 5)])
-    neighbours = [balanced(system, by_force, at, at, depth, motion=state.motion) for at in moved[:, None] if near.size]
+    neighbours = [
+        solve_balance(system, by_force, at, at, depth, motion=state.motion) for at in moved[:, None] if near.size
+    ]
     ready = near[np.any([shifted.load[0, near, 0] > floor for shifted in neighbours], axis=0)] if neighbours else near
     if not ready.size:
         return ready, np.full(3, np.nan)
@@ -191,7 +193,7 @@ def at_edge(system: System, state: States) -> tuple[Indices, Array]:
     return ready, np.abs(change.diagonal(axis1=1, axis2=2)).max(axis=0) / EDGE
 
 
-def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
+def drop_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
     """Return numbers, zero for what is rounding beside the others, or beside what they are a difference of.
 
     Weights make those of several units comparable.

@@ -89,35 +89,35 @@ class VolumeLife(HasFindings, ReadOnly):
     @property
     def inner(self) -> float:
         """Life of the inner ring, of all rows [10^6 revolutions]."""
-        return self._together(self.of_rows[:, 0])
+        return self._combine(self.of_rows[:, 0])
 
     @property
     def outer(self) -> float:
         """Life of the outer ring, of all rows [10^6 revolutions]."""
-        return self._together(self.of_rows[:, 1])
+        return self._combine(self.of_rows[:, 1])
 
     @property
     def rollers(self) -> float:
         """Life of all rollers together [10^6 revolutions]."""
-        return self._together(self.of_rows[:, 2])
+        return self._combine(self.of_rows[:, 2])
 
     @property
     def rings(self) -> float:
         """Life of both rings together [10^6 revolutions], which compares with L10r."""
-        return self._together(self.of_rows[:, :2])
+        return self._combine(self.of_rows[:, :2])
 
     @property
     def bearing(self) -> float:
         """Life of rings and rollers together [10^6 revolutions]."""
-        return self._together(self.of_rows)
+        return self._combine(self.of_rows)
 
     @property
     def relative_life(self) -> float:
         """Life of rings and rollers over that with the same loads spread evenly [-]; NaN if both are infinite."""
-        even = self._together(self.even)
+        even = self._combine(self.even)
         return self.bearing / even if math.isfinite(even) else (math.nan if math.isinf(self.bearing) else 0.0)
 
-    def _together(self, lives: Array) -> float:
+    def _combine(self, lives: Array) -> float:
         damage = float(np.sum(lives**-self.model.slope))
         return damage ** (-1.0 / self.model.slope) if damage > 0.0 else math.inf
 
@@ -188,7 +188,7 @@ def volume_life(
         raise InputError("solution", solution, "be a loaded bearing", "solve one with nonhertz.bearing.solve")
     if solution.method != "strips":
         raise InputError("solution", "by slices", "be by strips, which give pressures", "solve the bearing by strips")
-    chosen = _chosen(model)
+    chosen = _model_of(model)
     one_of("turning", turning, RINGS, "name the ring that turns against the load")
     one_of("field", field, FIELDS, "choose 'sections' for speed")
     rated = None if dynamic is None else rating(solution.bearing, dynamic=dynamic)
@@ -209,7 +209,7 @@ def volume_life(
     )
 
 
-def _chosen(model: VolumeModel | str) -> VolumeModel:
+def _model_of(model: VolumeModel | str) -> VolumeModel:
     names = tuple(name for name in MODELS if isinstance(MODELS[name](), VolumeModel))
     if isinstance(model, str) and model in names:
         default = MODELS[model]()
@@ -289,16 +289,16 @@ class Calibration:
         """Return the lives of inner ring, outer ring and rollers [10^6 revolutions]."""
         rings = [
             # Contacts with a ring at rest have each their own part of its circumference.
-            self._in_turn([seen[k]])
+            self._passing_damage([seen[k]])
             if k == turning
             else np.mean([0.0 if exposure is None else exposure.damage(self._model) for exposure in seen[k]])
             for k in range(len(RINGS))
         ]
         of_rings = [self._life(damage / self._damages[k]) for k, damage in enumerate(rings)]
         of_rollers = self._row.rollers * self._row.roller_diameter * self._spin**self._slope * self.constants()[0]
-        return np.array([*of_rings, self._life(of_rollers * self._in_turn(seen[2:]))])
+        return np.array([*of_rings, self._life(of_rollers * self._passing_damage(seen[2:]))])
 
-    def _in_turn(self, passes: Sequence[Seen]) -> float:
+    def _passing_damage(self, passes: Sequence[Seen]) -> float:
         """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
         every = [seen for contacts in passes for seen in contacts if seen is not None]
         known = {seen: (seen.y, seen.density(self._model), seen.damage(self._model)) for seen in _distinct(every)}

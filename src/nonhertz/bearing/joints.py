@@ -67,7 +67,7 @@ class Joint:
         radius, strain = self.raceway_radius, self.strains[1 if self.on_shaft else 0]
         return 2.0 * (self.ring.growth(radius, **self.loads) + strain * radius)
 
-    def described(self, mounted_pressure: float, temperature_step: float) -> InterferenceFit:
+    def describe(self, mounted_pressure: float, temperature_step: float) -> InterferenceFit:
         """Return pressures and stresses, beside the pressure when mounted [MPa] and the step of temperature [K]."""
         parting, at_rest = self.parting(speed=1.0), self.overlap_at_rest
         loosening = 0.0 if at_rest <= 0.0 else math.inf

@@ -42,14 +42,14 @@ def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
 
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
     """Return q_e of every lamina [N] of both rings, shape (2, laminae), for each row."""
-    suffered = _suffered(solution, laminae, edge_stress)
-    return [mean_over_rollers(suffered[row.rollers], turning) for row in solution.bearing.rows]
+    effective = _effective_loads(solution, laminae, edge_stress)
+    return [mean_over_rollers(effective[row.rollers], turning) for row in solution.bearing.rows]
 
 
-def mean_over_rollers(suffered: Array, turning: str) -> Array:
+def mean_over_rollers(effective: Array, turning: str) -> Array:
     """Return the mean over rollers of loads of shape (rollers, 2, laminae), by the power of each ring."""
     powers = [TURNING if ring == turning else STANDING for ring in RINGS]
-    return np.array([np.mean(suffered[:, k] ** power, axis=0) ** (1.0 / power) for k, power in enumerate(powers)])
+    return np.array([np.mean(effective[:, k] ** power, axis=0) ** (1.0 / power) for k, power in enumerate(powers)])
 
 
 def lamina_life(rated: Rating, means: list[Array], factors: list[Array] | None = None) -> float:
@@ -84,14 +84,14 @@ def _factor_at(kappa: float, limit: float, load: float) -> float:
     return life_factor(kappa, limit / load) if limit > 0.0 else _WORST_FACTOR
 
 
-def _suffered(solution: BearingSolution, laminae: int, edge_stress: str) -> Array:
+def _effective_loads(solution: BearingSolution, laminae: int, edge_stress: str) -> Array:
     """Return f q of every lamina [N], shape (rollers, 2, laminae)."""
-    suffered = np.zeros((*solution.load.shape, laminae))
+    effective = np.zeros((*solution.load.shape, laminae))
     if solution.method == "slices":
-        suffered = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
-        return suffered * (edge_function(laminae) if edge_stress == "standard" else 1.0)
+        effective = np.concatenate([loads for _, loads in slice_loads(solution, laminae)])
+        return effective * (edge_function(laminae) if edge_stress == "standard" else 1.0)
     model = iso_16281(laminae=laminae, edge_stress=edge_stress)
     for row, ring, rollers, contact in solution.distinct_contacts:
         cut = laminae_of(contact, model, row.bearing.effective_interval)
-        suffered[rollers, ring] = cut.factor * cut.load
-    return suffered
+        effective[rollers, ring] = cut.factor * cut.load
+    return effective

@@ -192,7 +192,7 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
 def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:
     row, load = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0]
     # Preload, which P leaves out, keeps rollers from skidding too.
-    if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing) or _preloaded(solution.bearing):
+    if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing) or _is_preloaded(solution.bearing):
         return
     spherical = isinstance(row, SphericalRollerBearing)
     least = 0.01 * rating.static if spherical else _LEAST_LOAD * rating.dynamic
@@ -246,12 +246,12 @@ def _preload(solution: BearingSolution) -> Iterator[Limit]:
     if not isinstance(bearing, Paired) or not opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
         return
     for number, row in enumerate(bearing.rows, start=1):
-        if _preloaded(bearing) and not np.any(solution.load[row.rollers, 0] > 0.0):
+        if _is_preloaded(bearing) and not np.any(solution.load[row.rollers, 0] > 0.0):
             words = "Row {row} bears no load: the preload of the pair is lost under load."
             yield Limit(False, finding("preload-lost", words, row=number))
 
 
-def _preloaded(bearing: RollerBearing | Paired) -> bool:
+def _is_preloaded(bearing: RollerBearing | Paired) -> bool:
     """Return whether rollers are pressed without load."""
     rows = [row.bearing for row in bearing.rows if not isinstance(row.bearing, CylindricalThrustBearing)]
     between = bearing.clearance if isinstance(bearing, Paired) else 0.0

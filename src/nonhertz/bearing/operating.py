@@ -161,12 +161,16 @@ class OperatingClearance(HasFindings):
             f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
             f"taken by the inner fit {um(self.lost_to_inner_fit):4}, by the outer fit {um(self.lost_to_outer_fit):4}",
             f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
-            *(line for name, fit in (("inner", self.inner), ("outer", self.outer)) for line in _said(name, fit)),
+            *(
+                line
+                for name, fit in (("inner", self.inner), ("outer", self.outer))
+                for line in _describe_fit(name, fit)
+            ),
         ]
         return plain_text("OperatingClearance", [*lines, *self.warnings])
 
 
-def _said(name: str, fit: InterferenceFit) -> list[str]:
+def _describe_fit(name: str, fit: InterferenceFit) -> list[str]:
     state = ", loosened" if fit.loosened else ""
     if 0.0 < fit.loosening_speed < math.inf and not fit.loosened:
         state = f", comes loose at {format_digits(fit.loosening_speed, 3)}/min"

@@ -148,7 +148,7 @@ class Pair(Input):
         """
         first, distance = rows.bearings[0], rows.x[-1] - rows.x[0]
         for arrangement in ARRANGEMENTS if distance > 0.0 else ():
-            if rows == _paired(first, pair := cls(arrangement, distance, rows.clearance, rows.preload)):
+            if rows == _make_pair(first, pair := cls(arrangement, distance, rows.clearance, rows.preload)):
                 return pair
         condition = "be two equal rows in X, O or tandem to go into a file"
         raise InputError("bearings", len(rows.bearings), condition, "solve such a bearing in Python")
@@ -185,10 +185,10 @@ def paired(
     >>> paired(row, "O", 20.0).turned
     (False, True)
     """
-    return _paired(bearing, Pair(arrangement, distance, clearance, preload))
+    return _make_pair(bearing, Pair(arrangement, distance, clearance, preload))
 
 
-def _paired(bearing: RollerBearing, pair: Pair) -> Paired:
+def _make_pair(bearing: RollerBearing, pair: Pair) -> Paired:
     turned = {"X": (True, False), "O": (False, True), "tandem": (False, False)}[pair.arrangement]
     half = 0.5 * pair.distance
     return Paired(

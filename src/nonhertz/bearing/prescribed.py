@@ -133,7 +133,7 @@ def one_state(bearing: RollerBearing | Paired, load: BearingLoad) -> Prescribed:
         for name in (pair.force, pair.motion)
         if (value := getattr(load, name)) is not None
     }
-    return _prescribed(bearing, values, 1)
+    return _check_values(bearing, values, 1)
 
 
 def many_states(
@@ -147,7 +147,7 @@ def many_states(
         name = next(iter(rows))
         raise InputError(name, inputs[name], "hold at least one number", "give a number or an array of them")
     flat = {name: values.ravel() for name, values in spread.items()}
-    return _prescribed(bearing, flat, math.prod(shape)), shape
+    return _check_values(bearing, flat, math.prod(shape)), shape
 
 
 def motions(displacement: ArrayLike, others: Mapping[str, object]) -> tuple[Prescribed, tuple[int, ...]]:
@@ -163,7 +163,7 @@ def motions(displacement: ArrayLike, others: Mapping[str, object]) -> tuple[Pres
     return Prescribed(np.zeros(5, dtype=np.bool_), motion.reshape(-1, 5)), motion.shape[:-1]
 
 
-def _prescribed(bearing: RollerBearing | Paired, values: Mapping[str, Array], count: int) -> Prescribed:
+def _check_values(bearing: RollerBearing | Paired, values: Mapping[str, Array], count: int) -> Prescribed:
     """Check what is given: for each name numbers, shape (count,), or all components, shape (count, components)."""
     by_force, target = np.zeros(5, dtype=np.bool_), np.zeros((count, 5))
     axially = any(any(row.bears_axially) for row in bearing.rows)

@@ -105,7 +105,7 @@ class Deviations(Input):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        for name, values in zip(("angle", "deviation"), self._opened(), strict=True):
+        for name, values in zip(("angle", "deviation"), self._sort_open(), strict=True):
             object.__setattr__(self, name, tuple(values.tolist()))
 
     @cross_check("angle")
@@ -119,12 +119,12 @@ class Deviations(Input):
     def _check_turn(self) -> None:
         if len(self.deviation) != len(self.angle):
             raise InputError("deviation", self.deviation, f"be a row of {len(self.angle)} lengths", _DEVIATIONS)
-        places, _ = self._opened()
+        places, _ = self._sort_open()
         if np.any(np.diff(places) <= _CLOSED * _TURN):
             twice = float(places[:-1][np.diff(places) <= _CLOSED * _TURN][0])
             raise InputError("angle", twice, "occur once", _ANGLES)
 
-    def _opened(self) -> tuple[Array, Array]:
+    def _sort_open(self) -> tuple[Array, Array]:
         """Return angles and deviations in ascending order, without the one that closes the ring."""
         order = np.argsort(self.angle, kind="stable")
         places, values = np.array(self.angle)[order], np.array(self.deviation)[order]

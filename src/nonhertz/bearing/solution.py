@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import RollerBearing
-from nonhertz.bearing.equilibrium import NO_LOAD, States, without_rounding
+from nonhertz.bearing.equilibrium import NO_LOAD, States, drop_rounding
 from nonhertz.bearing.laws import Slices
 from nonhertz.bearing.pairs import Paired, parts_of
 from nonhertz.bearing.ribs import RibContact
@@ -185,8 +185,8 @@ class BearingSolution(ReadOnly):
         pitch = self.bearing.rows[0].bearing.pitch
         lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
         rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
-        force = without_rounding(self.force, 1.0 / lever, float(self.load.sum()))
-        moved = without_rounding(self.displacement, lever, float(np.abs(self.approach).max()))
+        force = drop_rounding(self.force, 1.0 / lever, float(self.load.sum()))
+        moved = drop_rounding(self.displacement, lever, float(np.abs(self.approach).max()))
         loaded = np.count_nonzero(self.load.min(axis=1) > 0.0)  # those that both rings press
         lines = [
             f"{' and '.join(rows)}, by {self.method}",

@@ -69,7 +69,7 @@ class BearingSolutions(ReadOnly):
             force=states.force.reshape(*shape, 5),
             stiffness=states.stiffness.reshape(*shape, 5, 5),
             load=np.where(load > NO_LOAD * most, load, 0.0).reshape(*shape, *load.shape[1:]),
-            converged=states.settled(TOLERANCE).reshape(shape),
+            converged=states.converged(TOLERANCE).reshape(shape),
             _states=states,
             _roller_load=roller_load,
         )

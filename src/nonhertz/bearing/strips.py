@@ -13,7 +13,7 @@ from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 from nonhertz.strip.problem import StripModel
 
 
-def stripped(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.StrippedContact:
+def cut_into_strips(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.StrippedContact:
     """Return a contact between roller and ring, to be solved on strips.
 
     Parameters
@@ -31,7 +31,7 @@ def stripped(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.Strippe
     return core.StrippedContact(StripModel.of(contact, element).in_core)
 
 
-def unsolved(error: core.Unsolved) -> ConvergenceError:
+def no_solution_error(error: core.Unsolved) -> ConvergenceError:
     """Return what a contact of a roller without a solution is told as."""
     approach, tilt = error.args
     at = f"an approach of {um(approach):.6g} and a tilt of {mrad(tilt):.6g}"

@@ -151,7 +151,7 @@ class ForceTable(ReadOnly):
             if beyond.size:
                 condition = f"lie in the range of the table, {axis[0]:.6g} to {axis[-1]:.6g}"
                 raise InputError(name, float(values.ravel()[beyond[0]]), condition, "make a table of a wider range")
-        force: Array = self._between(kind, at)
+        force: Array = self._interpolate(kind, at)
         return force
 
     def sampled_error(self, kind: Kind = "linear") -> Array:
@@ -176,11 +176,11 @@ class ForceTable(ReadOnly):
         """
         self._check_kind(kind)
         at = self.checked_displacement[:, [list(MOTIONS).index(name) for name in self.names]]
-        off = np.abs(self._between(kind, at) - self.checked_force)
+        off = np.abs(self._interpolate(kind, at) - self.checked_force)
         off = off[np.isfinite(off.sum(axis=1))]
         return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)
 
-    def _between(self, kind: Kind, at: Array) -> Array:
+    def _interpolate(self, kind: Kind, at: Array) -> Array:
         # Imported here, because most bearings need no table.
         from scipy.interpolate import RegularGridInterpolator
 
@@ -274,12 +274,12 @@ def table(
     }  # fmt: skip
     axes = tuple(values[name] for name in names)
     grid = _grid(values)
-    force, stiffness, converged = _solved(bearing, grid.reshape(-1, 5), options)
+    force, stiffness, converged = _solve_grid(bearing, grid.reshape(-1, 5), options)
     middles = _grid({name: 0.5 * (axis[1:] + axis[:-1]) if axis.ndim else axis for name, axis in values.items()})
     middles = middles.reshape(-1, 5)
     if count < len(middles):
         middles = middles[np.sort(np.random.default_rng(0).choice(len(middles), count, replace=False))]
-    checked, _, settled = _solved(bearing, middles, options) if len(middles) else (middles, None, np.ones(0, bool))
+    checked, _, settled = _solve_grid(bearing, middles, options) if len(middles) else (middles, None, np.ones(0, bool))
     failed = np.count_nonzero(~converged) + np.count_nonzero(~settled)
     if failed:
         words = "No equilibrium was found for {failed} of {states} states of the bearing; see converged."
@@ -318,7 +318,7 @@ def _grid(values: dict[str, Array]) -> Array:
     return np.stack([next(spread) if value.ndim else np.full(shape, value) for value in values.values()], axis=-1)
 
 
-def _solved(
+def _solve_grid(
     bearing: RollerBearing | Paired, displacement: Array, options: dict[str, Any]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return forces, stiffness and which states have converged; where not, NaN."""

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import mm, newton
 from nonhertz.bearing.bearings import RollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, at_edge, balanced
+from nonhertz.bearing.equilibrium import TOLERANCE, Joint, States, System, find_edge_rollers, solve_balance
 from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.laws import ContactLaw, MapLaw
 from nonhertz.bearing.mapped import BearingMaps
@@ -22,7 +22,7 @@ from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.states import BearingSolutions
-from nonhertz.bearing.strips import stripped
+from nonhertz.bearing.strips import cut_into_strips
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, warn
 from nonhertz.inputs.checks import thread_count
@@ -126,18 +126,18 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6840.0
     """
-    solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
+    solver, loaded = _check_options(bearing, speed, turning, method, laminae, maps)
     inputs: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    bearing = adjusted(bearing, method, laminae)
-    system, states = _solved(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**inputs)))
-    if not states.settled(TOLERANCE)[0]:
+    bearing = adjust_preload(bearing, method, laminae)
+    system, states = _solve_states(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**inputs)))
+    if not states.converged(TOLERANCE)[0]:
         words = f"No equilibrium of rollers and rings was found in {states.steps[0]} steps"
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
-    solution = BearingSolution.of(bearing, method, states, loaded, at_edge(system, states))
+    solution = BearingSolution.of(bearing, method, states, loaded, find_edge_rollers(system, states))
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
@@ -187,18 +187,18 @@ def solve_many(
     InputError
         If the input is invalid.
     """
-    solver, loaded = _checked(bearing, speed, turning, method, laminae, maps)
+    solver, loaded = _check_options(bearing, speed, turning, method, laminae, maps)
     inputs = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    bearing = adjusted(bearing, method, laminae)
+    bearing = adjust_preload(bearing, method, laminae)
     acting, shape = many_states(bearing, inputs) if displacement is None else motions(displacement, inputs)
-    _, states = _solved(bearing, loaded, solver, maps, acting, thread_count(threads))
+    _, states = _solve_states(bearing, loaded, solver, maps, acting, thread_count(threads))
     return BearingSolutions.of(bearing, method, states, loaded, shape)
 
 
-def adjusted(
+def adjust_preload(
     bearing: RollerBearing | Paired, method: Method = "strips", laminae: int = LAMINAE
 ) -> RollerBearing | Paired:
     """Return two rows with the clearance between them that gives their preload; others as they are.
@@ -214,7 +214,7 @@ def adjusted(
         return bearing
     row, preload = bearing.bearings[0], bearing.preload
 
-    def pressed(clearance: float) -> BearingSolution:
+    def solve_half(clearance: float) -> BearingSolution:
         """Return one of the rows, held in the middle between both: the other is its mirror image."""
         half = Paired(bearings=(row,), x=(0.0,), turned=(False,), clearance=clearance)
         return solve(half, axial_displacement=0.0, method=method, laminae=laminae)
@@ -224,7 +224,7 @@ def adjusted(
             # Alone a row moves by half of the clearance; ribs and different angles at both rings leave a little.
             between = -2.0 * float(solve(row, axial=preload, method=method, laminae=laminae).displacement[0])
             for _ in range(_MOST_ADJUSTMENTS):
-                solution = pressed(between)
+                solution = solve_half(between)
                 missing = preload - float(solution.force[0])
                 if abs(missing) <= _PRELOAD_WITHIN * preload:
                     return replace(bearing, clearance=between, preload=None)
@@ -234,7 +234,7 @@ def adjusted(
     raise ConvergenceError(f"No clearance was found that gives the rows a preload of {newton(preload):.4g}.", None)
 
 
-def _checked(
+def _check_options(
     bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int, maps: BearingMaps | None
 ) -> tuple[BearingSolver, Array]:
     """Return how a bearing is solved, and what its speed loads every roller with; refuse what cannot be."""
@@ -259,21 +259,21 @@ def _checked(
     return solver, np.concatenate([np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows])
 
 
-def _solved(
+def _solve_states(
     bearing: RollerBearing | Paired, load: Array, solver: BearingSolver, maps: BearingMaps | None, acting: Prescribed,
     threads: int = 1,
 ) -> tuple[System, States]:  # fmt: skip
     """Return the rollers with their laws, and the states of the bearing."""
     by_force, target = acting
-    depth, start = _depth(bearing, acting), np.zeros_like(target)
+    depth, start = _expected_depth(bearing, acting), np.zeros_like(target)
     start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
     sliced = solver.method == "slices"
     count = solver.laminae if sliced else GUIDING_SLICES
     laws: list[Any] = [(standard_slices(row.bearing, count),) * 2 for row in bearing.rows]
     if maps is not None:
         laws = [[MapLaw(map_) for map_ in pair] for pair in maps.contacts]
-    system = joined(bearing, load, laws, nominal=sliced)
-    states = balanced(system, by_force, target, start, depth, threads=threads)
+    system = assemble(bearing, load, laws, nominal=sliced)
+    states = solve_balance(system, by_force, target, start, depth, threads=threads)
     if maps is not None:
         _refuse_beyond(bearing, laws, states)
     if sliced or maps is not None:
@@ -289,15 +289,15 @@ def _solved(
     # where springs would have them.
     idle = ~(near.load[:, :, :1] > 0.0)
     motion = np.where(idle, near.motion, np.nan)
-    contacts = [[stripped(contact) for contact in row.bearing.contacts] for row in bearing.rows]
+    contacts = [[cut_into_strips(contact) for contact in row.bearing.contacts] for row in bearing.rows]
     few, many = ([core.StripLaw(contact, strips) for contact in contacts] for strips in (ROUGH_STRIPS, None))
-    coarse, fine = (joined(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
-    near = balanced(coarse, by_force, target, near.ring, depth, NEARBY, motion)
-    near = balanced(fine, by_force, target, near.ring, depth, NEARBY, near.motion)
+    coarse, fine = (assemble(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
+    near = solve_balance(coarse, by_force, target, near.ring, depth, NEARBY, motion)
+    near = solve_balance(fine, by_force, target, near.ring, depth, NEARBY, near.motion)
     # Strips are laid for the contacts as they were when they were first met.
     for law in many:
         law.lay_anew()
-    near = balanced(fine, by_force, target, near.ring, depth, motion=near.motion)
+    near = solve_balance(fine, by_force, target, near.ring, depth, motion=near.motion)
     for into, values in zip(states, near, strict=True):
         into[in_balance] = values
     return fine, states
@@ -316,7 +316,7 @@ def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapL
                 raise InputError("maps", "too small", condition, "make larger ones")
 
 
-def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
+def _expected_depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     """Return a penetration of the size to be expected [mm]."""
     by_force, target = acting
     rows = [row.bearing for row in bearing.rows]
@@ -331,7 +331,7 @@ def _depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
     return max(by_load, moved, 1e-6 * max(row.roller_diameter for row in rows)) + 4.0 * gap
 
 
-def joined(
+def assemble(
     bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]], *, nominal: bool = False
 ) -> System:
     """Return the rollers with a law for each raceway of each row, and ribs; as ISO/TS 16281 has them if nominal."""

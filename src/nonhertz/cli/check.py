@@ -24,10 +24,10 @@ from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES, Body
 from nonhertz.show.solving import attempted
-from nonhertz.study.design import checked as checked_design
+from nonhertz.study.design import check_design
 from nonhertz.study.points import Points
-from nonhertz.study.quantities import chosen
-from nonhertz.study.tolerances import checked_limits
+from nonhertz.study.quantities import choose_quantities
+from nonhertz.study.tolerances import check_limits
 
 METAL = 40e3  # MPa, the modulus above which bodies are metals
 BEYOND_METALS = 5000.0  # MPa
@@ -129,8 +129,8 @@ def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, A
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
         plan = Plan.of(document, path, changes=changes, table=table)
         try:
-            chosen(plan.quantities, bearing=plan.template.is_bearing)
-            checked_limits(plan)
+            choose_quantities(plan.quantities, bearing=plan.template.is_bearing)
+            check_limits(plan)
             if table in document:
                 rows = f" of {len(Points.of(plan))} rows" if table == "over" else ""
                 studies.append(f"{what}{rows} over {', '.join(plan.over)}")
@@ -139,7 +139,7 @@ def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, A
     if DESIGN in document:
         case, options = parse_design(document, path, changes=changes)
         try:
-            checked_design(case, **options)
+            check_design(case, **options)
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
         studies.append(f"a design over {', '.join(options['vary'])}")

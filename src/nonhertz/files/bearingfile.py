@@ -174,10 +174,10 @@ class BearingCase(CaseBase):
         ConvergenceError
             If rows do not bear their preload.
         """
-        from nonhertz.bearing.verb import adjusted
+        from nonhertz.bearing.verb import adjust_preload
 
         if self.fit is None:
-            return adjusted(self.bearing, **self.solver.keywords)
+            return adjust_preload(self.bearing, **self.solver.keywords)
         try:
             return self.fit.mounted(self.bearing, self._inner_speed, method=self.solver.method)
         except InputError as error:

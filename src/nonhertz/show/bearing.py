@@ -23,7 +23,7 @@ from nonhertz.amounts import (
 )
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.equilibrium import NO_LOAD, without_rounding
+from nonhertz.bearing.equilibrium import NO_LOAD, drop_rounding
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
@@ -357,8 +357,8 @@ def _fit_rows(case: BearingCase) -> list[Row]:
 def _load_rows(solution: BearingSolution) -> list[Row]:
     pitch = solution.bearing.rows[0].bearing.pitch
     lever = np.array([1.0, 1.0, 1.0, pitch, pitch])
-    force = without_rounding(solution.force, 1.0 / lever, float(solution.load.sum()))
-    moved = without_rounding(solution.displacement, lever, float(np.abs(solution.approach).max()))
+    force = drop_rounding(solution.force, 1.0 / lever, float(solution.load.sum()))
+    moved = drop_rounding(solution.displacement, lever, float(np.abs(solution.approach).max()))
     return [
         ("force", str(newton(*force[:3])), "on the inner ring, along x, y, z"),
         ("moment", str(newton_mm(*force[3:])), "about y, z"),
@@ -441,7 +441,7 @@ def _rib_rows(solution: BearingSolution) -> list[Row]:
 def _stiffness_rows(solution: BearingSolution) -> list[Row]:
     diagonal = np.diag(solution.stiffness)
     pitch = solution.bearing.rows[0].bearing.pitch
-    stiffness = without_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
+    stiffness = drop_rounding(diagonal, np.array([1.0, 1.0, 1.0, *[1.0 / pitch**2] * 2]))
     rows = [("stiffness", str(amount(stiffness[:3], "N/mm", "N/um")), "along x, y, z")]
     ready = [str(j + 1) for j in solution.edge_rollers]
     if ready:

@@ -9,7 +9,7 @@ import numpy as np
 
 from nonhertz.amounts import Amount, amount, format_digits, mm, mpa, newton, um
 from nonhertz.bearing.assessed import BearingLife
-from nonhertz.bearing.equilibrium import without_rounding
+from nonhertz.bearing.equilibrium import drop_rounding
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import NonhertzError
@@ -109,7 +109,7 @@ def bearing_numbers(case: BearingCase, solution: BearingSolution, life: BearingL
     most = most_loaded(solution)
     load = float(solution.load[most].max())
     angle = f"roller {most + 1} at {math.degrees(solution.angle[most]):.1f}°" if load > 0.0 else ""
-    along, *across = without_rounding(solution.displacement[:3], np.ones(3))
+    along, *across = drop_rounding(solution.displacement[:3], np.ones(3))
     moved = f"radial; axial {um(along):3}" if along else "radial, of the inner ring"
     loaded = amount(float(np.count_nonzero(solution.load.min(axis=1) > 0.0)), f"of {solution.angle.size}")
     clearance = case.operating_clearance

@@ -32,8 +32,8 @@ from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.study.limits import Limit, limits_in
-from nonhertz.study.objective import GOALS, LIFE, PRESSURE, Judged, Task, Variable, point_or_none
-from nonhertz.study.search import Search, searched
+from nonhertz.study.objective import GOALS, LIFE, PRESSURE, DesignPoint, Task, Variable, try_point
+from nonhertz.study.search import Search, search_from
 from nonhertz.study.workers import LostError, Workers
 from nonhertz.verdict import Verdict, judge_loads, judge_rows
 
@@ -265,22 +265,22 @@ def best(
     (True, 2)
     """
     callback("announce", announce)
-    task, count = checked(case, vary, goal, loads, where, model, starts)
-    begins = begins_of(task, count)
+    task, count = check_design(case, vary, goal, loads, where, model, starts)
+    begins = find_starts(task, count)
     was = task.template.case({})
     assert isinstance(was, Case)
     as_it_was = Task(task.template, (), task.loads, task.goal, task.model, task.limits)
-    before = point_or_none(as_it_was, np.zeros(0))
+    before = try_point(as_it_was, np.zeros(0))
     ended: dict[int, Search | LostError] = {}
     processes = min(thread_count(workers), len(begins))
     with contextlib.closing(Workers()) as solving:
         searches = [(number, task, x) for number, x in enumerate(begins)]
-        for (number, _, _), search in solving.portions(searched, searches, processes):
+        for (number, _, _), search in solving.portions(search_from, searches, processes):
             ended[number] = search
             if announce is not None:
                 announce(len(ended), len(begins))
         portions = partial(solving.portions, processes=processes)
-        return _result(task, was, before, [ended[number] for number in sorted(ended)], portions)
+        return _summarize(task, was, before, [ended[number] for number in sorted(ended)], portions)
 
 
 def front(
@@ -325,10 +325,10 @@ def front(
         best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
         for group in groups
     ]
-    base, _ = checked(case, vary, PRESSURE, groups[0], where, None, starts)
+    base, _ = check_design(case, vary, PRESSURE, groups[0], where, None, starts)
     every = (*groups[0], *groups[1])
     free, capped = (None,) * len(groups[0]), len(groups[1])
-    lowest, highest = ends[1].value, _largest(ends[0].case, groups[1])
+    lowest, highest = ends[1].value, _largest_pressure(ends[0].case, groups[1])
     caps = np.linspace(lowest, highest, points)[1:-1].tolist()
     begins = [np.array(_shares(base, end.values)) for end in ends]
     tasks = []
@@ -339,14 +339,14 @@ def front(
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
     by_cap: dict[int, list[Search]] = {}
     with contextlib.closing(Workers()) as solving:
-        for (k, _, _), search in solving.portions(searched, tasks, min(thread_count(workers), len(tasks))):
+        for (k, _, _), search in solving.portions(search_from, tasks, min(thread_count(workers), len(tasks))):
             if isinstance(search, Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
                 by_cap.setdefault(k, []).append(search)
-    rows = [(ends[1].values, _largest(ends[1].case, groups[0]), lowest, ends[1].case)]
+    rows = [(ends[1].values, _largest_pressure(ends[1].case, groups[0]), lowest, ends[1].case)]
     for k in sorted(by_cap):
         chosen = min(by_cap[k], key=lambda search: search.value)
         case_there = base.case(chosen.ended)
-        rows.append((base.values(chosen.ended), chosen.value, _largest(case_there, groups[1]), case_there))
+        rows.append((base.values(chosen.ended), chosen.value, _largest_pressure(case_there, groups[1]), case_there))
     rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
     # A point is worse than another that has no more of either pressure, and less of one.
     rows = [
@@ -359,17 +359,17 @@ def front(
     return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
 
 
-def _largest(case: Case, loads: Sequence[ContactLoadCase]) -> float:
+def _largest_pressure(case: Case, loads: Sequence[ContactLoadCase]) -> float:
     with without_accuracy_warnings():
-        return max(_solved(case, load).max_pressure for load in loads)
+        return max(_solve_load(case, load).max_pressure for load in loads)
 
 
 def _verdict(case: Case, loads: Sequence[ContactLoadCase]) -> Verdict | None:
     with without_accuracy_warnings():
-        return judge_loads((_solved(case, load), load.share) for load in loads)
+        return judge_loads((_solve_load(case, load), load.share) for load in loads)
 
 
-def _solved(case: Case, load: ContactLoadCase) -> Solution:
+def _solve_load(case: Case, load: ContactLoadCase) -> Solution:
     return solve(case.contact, load=load.load, tilt=load.tilt, **case.solver.keywords)
 
 
@@ -379,11 +379,11 @@ def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
     return [variable.share(next(remaining[variable.path])) for variable in task.variables]
 
 
-def begins_of(task: Task, starts: int) -> list[Array]:
+def find_starts(task: Task, starts: int) -> list[Array]:
     """Return where the searches begin: at the case as it is, if it lies within the bounds, and spread between these."""
     from scipy.stats import qmc
 
-    now = _as_it_is(task)
+    now = _shares_as_is(task)
     begins = [] if now is None else [now]
     count = math.ceil(math.log2(starts + 1))
     spread = qmc.Sobol(len(task.variables), rng=np.random.default_rng(1)).random_base2(count)
@@ -401,7 +401,7 @@ def begins_of(task: Task, starts: int) -> list[Array]:
     return begins
 
 
-def _as_it_is(task: Task) -> Array | None:
+def _shares_as_is(task: Task) -> Array | None:
     """Return the case as it is; None if it lies outside the bounds, or does not say."""
     from nonhertz.inputs.units import to_unit
 
@@ -416,7 +416,7 @@ def _as_it_is(task: Task) -> Array | None:
     return np.array(point)
 
 
-def checked(
+def check_design(
     case: object,
     vary: Mapping[str, Any] | None = None,
     goal: str | None = None,
@@ -494,7 +494,9 @@ def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
     return tuple(cases)
 
 
-def _result(task: Task, was: Case, before: Judged | None, searches: Sequence[Any], portions: Portions) -> Design:
+def _summarize(
+    task: Task, was: Case, before: DesignPoint | None, searches: Sequence[Any], portions: Portions
+) -> Design:
     good = [search for search in searches if isinstance(search, Search) and math.isfinite(search.value)]
     met = [search for search in good if search.least_margin >= -1e-4]
     if not good:
@@ -551,7 +553,7 @@ def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str
                 yield finding("at-bound", words, path=variable.path, end=end, range=bounds, **numbers)
 
 
-def _bands(task: Task, judged: Judged, portions: Portions) -> tuple[Band, ...]:
+def _bands(task: Task, judged: DesignPoint, portions: Portions) -> tuple[Band, ...]:
     """Return how far each variable may go at each cost."""
     tasks = [
         (task, judged.x, judged.value, k, cost)
@@ -573,7 +575,7 @@ def _band(job: tuple[Task, Array, float, int, float]) -> Band:
     def worse(share: float) -> bool:
         moved = x.copy()
         moved[k] = share
-        judged = point_or_none(task, moved)
+        judged = try_point(task, moved)
         return judged is None or judged.value > allowed
 
     def reach(end: float) -> float:

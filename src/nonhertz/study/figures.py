@@ -52,7 +52,9 @@ def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
     panel_of = _panel_of(sweep)
     if panel_of is None or len(sweep) > MOST_DRAWN:
         return {}
-    shown = [quantity for quantity in _pictured(sweep) if sweep.extremes(quantity.name) is not None][:MOST_PANELS]
+    shown = [quantity for quantity in _quantities_drawn(sweep) if sweep.extremes(quantity.name) is not None][
+        :MOST_PANELS
+    ]
     over = " and ".join(in_words(path).lower() for path in sweep.paths)
     return _figure("sweep", [panel_of(quantity) for quantity in shown], f"Results over {over}.")
 
@@ -234,7 +236,7 @@ def axis_over(path: str, unit: str, values: NDArray[Any]) -> tuple[Axis, Array]:
     return fitted(Axis(in_words(path), path, amount.unit, amount.read), values), values.astype(float)
 
 
-def _pictured(sweep: Sweep) -> tuple[Quantity, ...]:
+def _quantities_drawn(sweep: Sweep) -> tuple[Quantity, ...]:
     """Return the quantities that are drawn: those asked for by name, or the main ones that are not given."""
     if sweep.plan.quantities:
         return sweep.quantities

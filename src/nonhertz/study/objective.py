@@ -143,7 +143,7 @@ class Task:
         assert isinstance(read, Case)
         return read
 
-    def at(self, x: Array, accuracy: float | None = None) -> Judged:
+    def at(self, x: Array, accuracy: float | None = None) -> DesignPoint:
         """Return the case under all loads at a point, to an accuracy of its own if the case does not ask for one.
 
         Raises
@@ -156,11 +156,11 @@ class Task:
             solver = case.solver.keywords | ({"accuracy": accuracy} if self.is_automatic else {})
             pressed = {name: [getattr(load, name) for load in self.loads] for name in ("load", "tilt")}
             solutions = tuple(solve_without_warnings(case.contact, pressed, **solver))
-        return Judged(self, x.copy(), case, solutions)
+        return DesignPoint(self, x.copy(), case, solutions)
 
 
 @dataclass(frozen=True, eq=False)
-class Judged:
+class DesignPoint:
     """A point of a design under all its loads."""
 
     task: Task
@@ -291,7 +291,7 @@ class Judged:
         return np.array(rows).reshape(-1, len(self.task.variables))
 
 
-def point_or_none(task: Task, x: Array, accuracy: float | None = None) -> Judged | None:
+def try_point(task: Task, x: Array, accuracy: float | None = None) -> DesignPoint | None:
     """Return a point judged; None where the case is not allowed or has no solution."""
     try:
         return task.at(x, accuracy)

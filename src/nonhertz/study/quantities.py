@@ -59,10 +59,10 @@ def number_of(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> floa
 
 
 def _of_contact() -> dict[str, Quantity]:
-    def taken(quantity: Quantity) -> Callable[[SolvedContact], float]:
+    def getter(quantity: Quantity) -> Callable[[SolvedContact], float]:
         return lambda solved: quantity.clean(solved.solution)
 
-    by_name = {name: replace(quantity, get=taken(quantity), scale=None) for name, quantity in QUANTITIES.items()}
+    by_name = {name: replace(quantity, get=getter(quantity), scale=None) for name, quantity in QUANTITIES.items()}
     for quantity in (
         Quantity("error", "estimated error of approach or load", "", "", _error, "%"),
         Quantity("warnings", "warnings", "", "", lambda solved: len(solved.solution.warnings)),
@@ -91,12 +91,12 @@ USUAL_OF_BEARING = (
 )
 
 
-def known(*, bearing: bool) -> Mapping[str, Quantity]:
+def known_quantities(*, bearing: bool) -> Mapping[str, Quantity]:
     """Return all numbers that a row can hold, by name."""
     return OF_BEARING if bearing else OF_CONTACT
 
 
-def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
+def choose_quantities(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     """Return quantities by name, the usual ones if there are no names.
 
     Raises
@@ -104,7 +104,7 @@ def chosen(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
     InputError
         If there is no such quantity; the nearest is named.
     """
-    every = known(bearing=bearing)
+    every = known_quantities(bearing=bearing)
     wanted = tuple(dict.fromkeys(names)) or (USUAL_OF_BEARING if bearing else USUAL_OF_CONTACT)
     for name in wanted:
         if name not in every:

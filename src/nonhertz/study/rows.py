@@ -27,7 +27,7 @@ from nonhertz.native import core
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.solver.many import solve_without_warnings
 from nonhertz.solver.one import bound_contact, problem_of
-from nonhertz.study.quantities import SolvedContact, chosen, number_of
+from nonhertz.study.quantities import SolvedContact, choose_quantities, number_of
 from nonhertz.verdict import Verdict, judge_contact
 
 Values = Mapping[str, Any]
@@ -60,7 +60,7 @@ class Work:
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
         """The numbers asked for."""
-        return chosen(self.names, bearing=self.template.is_bearing)
+        return choose_quantities(self.names, bearing=self.template.is_bearing)
 
     def rows(self, paths: Sequence[str], values: Sequence[Sequence[Any]]) -> list[Row]:
         """Return rows solved.
@@ -76,10 +76,10 @@ class Work:
         # What strains the model is a column of its own.
         with without_accuracy_warnings(), self._template_and_files() as template:
             if template.is_bearing:
-                return [self._alone(template, row) for row in named]
-            return self._of_contacts(template, named)
+                return [self._solve_alone(template, row) for row in named]
+            return self._solve_contacts(template, named)
 
-    def _of_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
+    def _solve_contacts(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of contacts, those with equal bodies solved together."""
         groups: dict[tuple[Any, ...], list[int]] = {}
         for number, row in enumerate(values):
@@ -88,24 +88,24 @@ class Work:
         solved: dict[int, Row] = {}
         for numbers in groups.values():
             unloaded = [number for number in numbers if template.is_unloaded(values[number])]
-            solved.update((number, self._unloaded(template, values[number])) for number in unloaded)
+            solved.update((number, self._touching_row(template, values[number])) for number in unloaded)
             if pressed := sorted(set(numbers).difference(unloaded)):
-                rows = self._of_one_contact(template, [values[number] for number in pressed])
+                rows = self._solve_contact(template, [values[number] for number in pressed])
                 solved.update(zip(pressed, rows, strict=True))
         return [solved[number] for number in range(len(values))]
 
-    def _of_one_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
+    def _solve_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
         """Return rows of one contact, pressed together in several ways."""
         try:
             case = template.case(values[0])
             assert isinstance(case, Case)
-            prescriptions = [_prescribed(case, row) for row in values]
-            return self._together(case, prescriptions)
+            prescriptions = [_prescription_of(case, row) for row in values]
+            return self._solve_together(case, prescriptions)
         except NonhertzError:
             pass  # solved alone, those that are refused get a sentence of their own
-        return [self._alone(template, row) for row in values]
+        return [self._solve_alone(template, row) for row in values]
 
-    def _together(self, case: Case, pressing: Sequence[Prescription]) -> list[Row]:
+    def _solve_together(self, case: Case, pressing: Sequence[Prescription]) -> list[Row]:
         columns = {name: np.array([getattr(way, name) for way in pressing]) for name in pressing[0].keywords}
         solutions = solve_without_warnings(case.contact, columns, **case.solver.keywords)
         names = {quantity.name for quantity in self.quantities}
@@ -114,7 +114,7 @@ class Work:
         rows = []
         for number, prescribed in enumerate(pressing):
             if not converged[number]:
-                rows.append(self._failed(solutions.failures[number]))
+                rows.append(self._failed_row(solutions.failures[number]))
                 continue
             # Whole solutions take as long as solving: only where a number needs one.
             solved = (
@@ -137,7 +137,7 @@ class Work:
         """Return the verdict on a row, which is solved once more; None if it fails."""
         with without_accuracy_warnings(), self._template_and_files() as template:
             try:
-                solved = _solved(template, values)
+                solved = _solve(template, values)
             except NonhertzError:
                 return None
             if isinstance(solved, SolvedContact):
@@ -145,14 +145,14 @@ class Work:
             judged: Verdict | None = solved.case.verdict(solved.solution, solved.life_or_none)
             return judged
 
-    def _alone(self, template: Template, values: Values) -> Row:
+    def _solve_alone(self, template: Template, values: Values) -> Row:
         try:
-            solved = _solved(template, values)
+            solved = _solve(template, values)
         except NonhertzError as error:
-            return self._failed(error)
+            return self._failed_row(error)
         return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
 
-    def _unloaded(self, template: Template, values: Values) -> Row:
+    def _touching_row(self, template: Template, values: Values) -> Row:
         """Return the row of bodies that just touch: the limit of ever smaller loads."""
         try:
             case = template.case({path: value for path, value in values.items() if path != LOAD})
@@ -166,11 +166,11 @@ class Work:
             edges = np.linspace(*bound_contact(problem), TOUCHING + 1)
             touched = -core.penetration(problem.model.in_core, edges, (0.0, tilt))
         except NonhertzError as error:
-            return self._failed(error)
+            return self._failed_row(error)
         known = dict.fromkeys(_NOTHING, 0.0) | {"approach": touched, "tilt": tilt}
         return Row(tuple(known.get(quantity.name, math.nan) for quantity in self.quantities))
 
-    def _failed(self, error: Exception) -> Row:
+    def _failed_row(self, error: Exception) -> Row:
         sentence = str(with_file_path(error)) if isinstance(error, InputError) else str(error)
         return Row((math.nan,) * len(self.quantities), " ".join(sentence.split()))
 
@@ -189,7 +189,7 @@ class Work:
             yield replace(self.template, path=Path(folder, self.template.path.name))
 
 
-def _solved(template: Template, values: Values) -> SolvedBearing | SolvedContact:
+def _solve(template: Template, values: Values) -> SolvedBearing | SolvedContact:
     """Return a row solved alone; raises what reading and solving do."""
     case = template.case(values)
     if isinstance(case, BearingCase):
@@ -197,7 +197,7 @@ def _solved(template: Template, values: Values) -> SolvedBearing | SolvedContact
     return SolvedContact(case, case.solve())
 
 
-def _prescribed(case: Case, values: Values) -> Prescription:
+def _prescription_of(case: Case, values: Values) -> Prescription:
     """Return what presses the bodies of a row together.
 
     Raises

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import NonhertzError
-from nonhertz.study.objective import PRESSURE, SEARCHING, Judged, Task, point_or_none
+from nonhertz.study.objective import PRESSURE, SEARCHING, DesignPoint, Task, try_point
 
 Array = NDArray[np.float64]
 
@@ -40,18 +40,18 @@ class Search:
     failure: str = ""
 
 
-def searched(job: tuple[int, Task, Array]) -> Search:
+def search_from(job: tuple[int, Task, Array]) -> Search:
     """Search from one start; called in other processes."""
     _, task, x = job
-    return _Searching(task).run(x)
+    return _Searcher(task).run(x)
 
 
-class _Searching:
+class _Searcher:
     """A search, which remembers the point that it looked at last and the best one."""
 
     def __init__(self, task: Task) -> None:
         self._task = task
-        self._at: tuple[bytes, Judged | None] = (b"", None)
+        self._at: tuple[bytes, DesignPoint | None] = (b"", None)
         self._best: tuple[float, Array, float] | None = None
         self._history: list[float] = []
         self._accuracy: float | None = None
@@ -61,23 +61,23 @@ class _Searching:
         x = begun
         for accuracy in (SEARCHING, None) if self._task.is_automatic else (None,):
             self._accuracy, self._best, self._at = accuracy, None, (b"", None)
-            if self._judged(x) is None:
+            if self._evaluate(x) is None:
                 why = "It could not be solved."
                 try:
                     self._task.at(x)
                 except NonhertzError as error:
                     why = str(error)
                 return Search(begun, x, math.nan, tuple(self._history), -math.inf, why)
-            x = self._improved(x)
+            x = self._improve(x)
         assert self._best is not None
         value, x, margin = self._best
         return Search(begun, x, value, tuple(self._history), margin)
 
-    def _improved(self, x: Array) -> Array:
+    def _improve(self, x: Array) -> Array:
         """Return the best point that a search from ``x`` finds."""
         search = self._for_pressure if self._task.goal == PRESSURE else self._for_life
         for _ in range(1 + AGAIN):
-            first = self._judged(x)
+            first = self._evaluate(x)
             assert first is not None
             done = search(x, first)
             assert self._best is not None
@@ -87,16 +87,16 @@ class _Searching:
             # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
         return x
 
-    def _judged(self, x: Array) -> Judged | None:
+    def _evaluate(self, x: Array) -> DesignPoint | None:
         key = x.tobytes()
         if self._at[0] != key:
-            judged = point_or_none(self._task, np.clip(x, 0.0, 1.0), self._accuracy)
+            judged = try_point(self._task, np.clip(x, 0.0, 1.0), self._accuracy)
             self._at = key, judged
             if judged is not None:
                 self._note(judged)
         return self._at[1]
 
-    def _note(self, judged: Judged) -> None:
+    def _note(self, judged: DesignPoint) -> None:
         margin, value = judged.spare, judged.value
         # A point that meets all limits is better than any that does not; noise of 1e-6 counts as met.
         rank = (min(margin + 1e-6, 0.0), -value)
@@ -104,35 +104,35 @@ class _Searching:
             self._best = value, judged.x.copy(), margin
         self._history.append(self._best[0])
 
-    def _for_life(self, begun: Array, first: Judged) -> bool:
+    def _for_life(self, begun: Array, first: DesignPoint) -> bool:
         def value(x: Array) -> float:
-            judged = self._judged(x)
+            judged = self._evaluate(x)
             return _BAD if judged is None else math.log(judged.damage / first.damage)
 
         def slope(x: Array) -> Array:
-            judged = self._judged(x)
+            judged = self._evaluate(x)
             return np.zeros(x.size) if judged is None else judged.slope_of_damage()
 
-        return _minimized(value, slope, begun, 0, self._limits(begun.size, 0))
+        return _minimize(value, slope, begun, 0, self._limits(begun.size, 0))
 
-    def _for_pressure(self, begun: Array, first: Judged) -> bool:
+    def _for_pressure(self, begun: Array, first: DesignPoint) -> bool:
         scale, count, task = math.log(first.largest[0]), begun.size, self._task
         height = task.zones * len(task.loads)
 
-        def spare(judged: Judged, t: float) -> Array:
+        def spare(judged: DesignPoint, t: float) -> Array:
             """Return by how much the logarithm of each peak stays below that of its cap, or of the largest one."""
             caps = [t + scale if (cap := task.cap(n)) is None else math.log(cap) for n in range(len(task.loads))]
             return np.array([caps[number] - peak for number, _, peak in judged.peaks()])
 
         def rows(z: Array) -> Array:
-            judged = self._judged(z[:count])
+            judged = self._evaluate(z[:count])
             if judged is None:
                 return np.full(height, z[-1] - _BAD)
             margins = spare(judged, z[-1])
             return np.pad(margins, (0, height - margins.size), constant_values=margins.max())
 
         def slopes(z: Array) -> Array:
-            judged, jacobian = self._judged(z[:count]), np.zeros((height, count + 1))
+            judged, jacobian = self._evaluate(z[:count]), np.zeros((height, count + 1))
             if judged is not None:
                 peaks = judged.peaks()
                 jacobian[: len(peaks), :count] = -judged.slopes_of_peaks(peaks)
@@ -143,7 +143,7 @@ class _Searching:
 
         only_last = np.append(np.zeros(count), 1.0)
         constraints = [{"type": "ineq", "fun": rows, "jac": slopes}, *self._limits(count, 1)]
-        return _minimized(lambda z: float(z[-1]), lambda z: only_last, np.append(begun, 0.0), 1, constraints)
+        return _minimize(lambda z: float(z[-1]), lambda z: only_last, np.append(begun, 0.0), 1, constraints)
 
     def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
         """Return the constraints, of variables and of so many more unknowns."""
@@ -162,11 +162,11 @@ class _Searching:
         rows = len(task.loads) * sum(len(limit.sides) for limit in task.limits)
 
         def margins(z: Array) -> Array:
-            judged = self._judged(z[:count])
+            judged = self._evaluate(z[:count])
             return np.full(rows, -1.0) if judged is None else judged.margins()
 
         def slopes(z: Array) -> Array:
-            judged = self._judged(z[:count])
+            judged = self._evaluate(z[:count])
             exact = None if judged is None else judged.slopes_of_margins()
             by_x = self._differences(z[:count], rows) if exact is None else exact
             return np.hstack([by_x, np.zeros((rows, more))])
@@ -180,17 +180,17 @@ class _Searching:
     def _differences(self, x: Array, rows: int) -> Array:
         """Return derivatives of margins that have no gradient, by differences."""
         slopes = np.zeros((rows, x.size))
-        here = self._judged(x)
+        here = self._evaluate(x)
         for k in range(x.size if here is not None else 0):
             moved = x.copy()
             moved[k] += 0.01 if x[k] < 0.5 else -0.01
-            beside = point_or_none(self._task, moved, self._accuracy)
+            beside = try_point(self._task, moved, self._accuracy)
             if beside is not None and here is not None:
                 slopes[:, k] = (beside.margins() - here.margins()) / (moved[k] - x[k])
         return slopes
 
 
-def _minimized(
+def _minimize(
     goal: Callable[[Array], float],
     slope: Callable[[Array], Array],
     begun: Array,

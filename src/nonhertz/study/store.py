@@ -58,10 +58,10 @@ class Store:
         self, directory: Path | None, made_from: Mapping[str, Any], paths: Sequence[str], names: Sequence[str]
     ) -> None:
         self._directory, self.paths, self.names = directory, tuple(paths), tuple(names)
-        self._rows = _opened(directory)
-        weakref.finalize(self, _closed, self._rows)
+        self._rows = _open(directory)
+        weakref.finalize(self, _close, self._rows)
         try:
-            with _intact(directory):
+            with _refuse_damage(directory):
                 self._begin(dict(_leaves("", made_from)))
         except BaseException:
             self._rows.close()
@@ -71,7 +71,7 @@ class Store:
         if self._rows.execute("select 1 from sqlite_master").fetchone() is None:
             columns = ", ".join(f"v{k}" for k in range(len(self.paths)))
             numbers = ", ".join(f"n{k} real" for k in range(len(self.names)))
-            with self._changes() as rows:
+            with self._transaction() as rows:
                 for statement in _TABLES.split(";"):
                     rows.execute(statement)
                 rows.execute(f"create table rows (number integer primary key, {columns}, {numbers}, failure text)")
@@ -81,7 +81,7 @@ class Store:
         before = dict(self._read("select place, value from made_from"))
         different = [place for place in {**before, **made_from} if before.get(place) != made_from.get(place)]
         if different:
-            raise self._changed(different, before, made_from)
+            raise self._changed_error(different, before, made_from)
 
     def _check(self) -> None:
         """Raise what SQLite raises of a damaged file if this one is."""
@@ -91,10 +91,10 @@ class Store:
             raise sqlite3.DatabaseError(answer if answer != "ok" else "text where numbers belong")
 
     def _read(self, statement: str, *values: Any) -> list[tuple[Any, ...]]:
-        with _intact(self._directory):
+        with _refuse_damage(self._directory):
             return self._rows.execute(statement, values).fetchall()
 
-    def _changed(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
+    def _changed_error(self, places: Sequence[str], before: Mapping[str, str], now: Mapping[str, str]) -> InputError:
         changes = []
         for place in places[:3]:
             was, is_now = (shorten(contents.get(place, "not given")) for contents in (before, now))
@@ -107,9 +107,9 @@ class Store:
         return InputError("--out", str(self._directory), condition, remedy)
 
     @contextlib.contextmanager
-    def _changes(self) -> Iterator[sqlite3.Connection]:
+    def _transaction(self) -> Iterator[sqlite3.Connection]:
         """Make changes that are kept whole, or not at all."""
-        with _intact(self._directory):
+        with _refuse_damage(self._directory):
             self._rows.execute("begin immediate")
             try:
                 yield self._rows
@@ -135,7 +135,7 @@ class Store:
             for number, of_row, row in zip(numbers, values, rows, strict=True)
         ]
         marks = ", ".join("?" * (2 + len(self.paths) + len(self.names)))
-        with self._changes() as changing:
+        with self._transaction() as changing:
             if changing.execute("insert or ignore into portions values (?)", (portion,)).rowcount:
                 changing.executemany(f"insert into rows values ({marks})", entries)
 
@@ -183,7 +183,7 @@ class Store:
 
     def cells(self) -> Iterator[tuple[Any, ...]]:
         """Yield the cells of every row, with numbers to the last bit; a row that failed has its sentence."""
-        with _intact(self._directory):
+        with _refuse_damage(self._directory):
             yield from self._rows.execute("select * from rows order by number")
 
     def write_csv(self, path: Path, units: Sequence[str]) -> None:
@@ -194,15 +194,15 @@ class Store:
             writer.writerows(self.cells())
 
 
-def _closed(rows: sqlite3.Connection) -> None:
+def _close(rows: sqlite3.Connection) -> None:
     with contextlib.suppress(sqlite3.ProgrammingError):  # in another thread, which must not close it
         rows.close()
 
 
-def _opened(directory: Path | None) -> sqlite3.Connection:
+def _open(directory: Path | None) -> sqlite3.Connection:
     if directory is None:
         return sqlite3.connect(":memory:", isolation_level=None)
-    with _intact(directory), contextlib.ExitStack() as if_refused:
+    with _refuse_damage(directory), contextlib.ExitStack() as if_refused:
         directory.mkdir(parents=True, exist_ok=True)
         rows = sqlite3.connect(directory / FILE, isolation_level=None, timeout=1.0)
         if_refused.callback(rows.close)
@@ -215,7 +215,7 @@ def _opened(directory: Path | None) -> sqlite3.Connection:
 
 
 @contextlib.contextmanager
-def _intact(directory: Path | None) -> Iterator[None]:
+def _refuse_damage(directory: Path | None) -> Iterator[None]:
     """Refuse a directory of which the system or SQLite reports that it is in use, full, not writable or damaged."""
     try:
         yield

@@ -32,7 +32,7 @@ from nonhertz.result.brief import plain_text, shorten
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.points import Points
-from nonhertz.study.quantities import chosen
+from nonhertz.study.quantities import choose_quantities
 from nonhertz.study.rows import Row, Work
 from nonhertz.study.store import Store
 from nonhertz.study.workers import LostError, Workers
@@ -337,9 +337,9 @@ def sweep(
     ((4, 2), array([2090., 1990.]))
     """
     callback("announce", announce)
-    study = planned(plan, over, samples, quantities)
+    study = make_plan(plan, over, samples, quantities)
     points = Points.of(study)
-    numbers = chosen(study.quantities, bearing=study.template.is_bearing)
+    numbers = choose_quantities(study.quantities, bearing=study.template.is_bearing)
     processes = thread_count(workers)
     solving = Workers(scheduler)
     if not isinstance(out, str | Path | None):
@@ -350,7 +350,7 @@ def sweep(
     most = OF_BEARINGS if study.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
     names = [quantity.name for quantity in numbers]
-    store = Store(directory, _made_from(study, points, numbers, size), points.paths, names)
+    store = Store(directory, _describe_origin(study, points, numbers, size), points.paths, names)
     result = Sweep(study, points, numbers, store)
     work, stored = _work(study, numbers), store.portions()
     progress = Progress(len(store), len(points), len(store))
@@ -364,7 +364,7 @@ def sweep(
         with contextlib.closing(solving), contextlib.ExitStack() as stack:
             stack.callback(store.release)
             processes = 1 if len(points) - len(store) <= most else processes
-            solve, count, seconds = partial(_solved, work, points.paths), len(points) - len(store), None
+            solve, count, seconds = partial(_solve_portion, work, points.paths), len(points) - len(store), None
             if announce is not None:
                 if count >= WORTH_TIMING and scheduler is None:
                     first = next(missing)
@@ -401,12 +401,12 @@ def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> fl
 
 
 @display_units("si")
-def _solved(work: Work, paths: tuple[str, ...], portion: Portion) -> list[Row]:
+def _solve_portion(work: Work, paths: tuple[str, ...], portion: Portion) -> list[Row]:
     """Return the rows of a portion; called in other processes."""
     return work.rows(paths, portion[2])
 
 
-def planned(
+def make_plan(
     plan: object,
     over: Mapping[str, Any] | None,
     samples: Sampling | int | None,
@@ -426,14 +426,14 @@ def planned(
     return Plan(plan).changed(over=over, samples=samples, quantities=quantities)
 
 
-def _made_from(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: int) -> dict[str, Any]:
+def _describe_origin(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: int) -> dict[str, Any]:
     """Return what decides the rows, and in which portions they are kept."""
     return {
         "nonhertz": __version__,
         "case": plan.template.document,
         "files": {name: sha256(content).hexdigest() for name, content in plan.case.attachments.items()},
         "over": {
-            path: asdict(spread) if isinstance(spread, Distribution) else _listed(spread)
+            path: asdict(spread) if isinstance(spread, Distribution) else _shorten_list(spread)
             for path, spread in plan.spreads.items()
         },
         "samples": asdict(plan.samples) if points.distributions else {},
@@ -442,7 +442,7 @@ def _made_from(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: 
     }
 
 
-def _listed(values: tuple[Any, ...]) -> Any:
+def _shorten_list(values: tuple[Any, ...]) -> Any:
     """Return a list of values, a long one in brief: what of it differs is then told in a few words."""
     if len(values) <= _FEW_VALUES:
         return list(values)

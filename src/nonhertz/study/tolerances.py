@@ -46,8 +46,8 @@ from nonhertz.inputs.checks import numbers
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.limits import CERTAINTY, Capability, Limit, capabilities, limits_in
-from nonhertz.study.quantities import chosen, known
-from nonhertz.study.sweeps import Progress, Sweep, planned, sweep
+from nonhertz.study.quantities import choose_quantities, known_quantities
+from nonhertz.study.sweeps import Progress, Sweep, make_plan, sweep
 from nonhertz.verdict import Level, Verdict
 
 Array = NDArray[np.float64]
@@ -192,7 +192,7 @@ class Tolerance:
         beyond, of_rows = [], self.sweep.verdict
         for side in self.capabilities:
             if side.beyond:
-                quantity = known(bearing=self.sweep.plan.template.is_bearing)[side.quantity]
+                quantity = known_quantities(bearing=self.sweep.plan.template.is_bearing)[side.quantity]
                 words = "Of {samples} samples {beyond} are beyond the limit of the {label}, {kind} {limit:.6g}."
                 numbers = {"samples": side.samples, "beyond": side.beyond, "limit": quantity.amount(side.limit)}
                 beyond.append(finding("beyond-limit", words, label=quantity.label, kind=side.kind, **numbers))
@@ -357,7 +357,7 @@ def tolerance(
     >>> found.indices("max_pressure")[0].path
     'load.load'
     """
-    study = planned(plan, over, None, quantities, "tolerance").changed(limits=limits)
+    study = make_plan(plan, over, None, quantities, "tolerance").changed(limits=limits)
     if not study.spreads:
         remedy = "say how a path of the case is distributed, such as 'load.load=normal(nominal,1kN)'"
         raise InputError("over", {}, "vary something", remedy)
@@ -368,14 +368,14 @@ def tolerance(
     drawn = Sampling(
         study.samples.count if samples is None else samples, SALTELLI, study.samples.seed if seed is None else seed
     )
-    names, bounds = study.quantities, checked_limits(study)
-    usual = [quantity.name for quantity in chosen(names, bearing=study.template.is_bearing)]
+    names, bounds = study.quantities, check_limits(study)
+    usual = [quantity.name for quantity in choose_quantities(names, bearing=study.template.is_bearing)]
     rows = tuple(dict.fromkeys([*usual, *(limit.name for limit in bounds)]))
     study = study.changed(samples=drawn, quantities=rows)
     return Tolerance(sweep(study, out=out, workers=workers, scheduler=scheduler, announce=announce), bounds, names)
 
 
-def checked_limits(plan: Plan) -> tuple[Limit, ...]:
+def check_limits(plan: Plan) -> tuple[Limit, ...]:
     """Return the limits of a plan.
 
     Raises
@@ -384,6 +384,6 @@ def checked_limits(plan: Plan) -> tuple[Limit, ...]:
         If there is no such quantity, or a text is not a limit.
     """
     try:
-        return limits_in(plan.limits, known(bearing=plan.template.is_bearing))
+        return limits_in(plan.limits, known_quantities(bearing=plan.template.is_bearing))
     except InputError as error:
         raise error.within("limits") from None

@@ -63,7 +63,7 @@ class Workers:
     def __init__(self, scheduler: str | None = None) -> None:
         self._open = contextlib.ExitStack()
         self._executor: Executor | None = None
-        self._client = None if scheduler is None else _connected(scheduler)
+        self._client = None if scheduler is None else _connect(scheduler)
 
     def close(self) -> None:
         """Let processes end, or leave the scheduler; its workers stay."""
@@ -79,7 +79,7 @@ class Workers:
         if self._client is None and processes == 1:
             yield from ((item, solve(item)) for item in items)
             return
-        solve, source, unfinished = partial(_as_here, current_units().code, solve), iter(items), True
+        solve, source, unfinished = partial(_run_in_units, current_units().code, solve), iter(items), True
         while unfinished:
             lost: list[Item] = []
             if self._executor is None:
@@ -95,7 +95,7 @@ class Workers:
             if lost:
                 self.close()
             for item in lost:
-                yield item, _alone(solve, item)
+                yield item, _run_alone(solve, item)
             unfinished = bool(lost)
 
     def _flow(
@@ -111,7 +111,7 @@ class Workers:
             while True:
                 count = processes if self._client is None else max(1, sum(map(int, self._client.ncores().values())))
                 for item in itertools.islice(source, 0 if broken else max(0, AHEAD * count - len(pending))):
-                    pending[_submitted(executor, solve, item)] = item
+                    pending[_submit(executor, solve, item)] = item
                 if not pending:
                     return
                 done, _ = wait(pending, return_when=FIRST_COMPLETED)
@@ -123,13 +123,13 @@ class Workers:
                 future.cancel()
 
 
-def _as_here(units: str, solve: Callable[[Item], Answer], item: Item) -> Answer:
+def _run_in_units(units: str, solve: Callable[[Item], Answer], item: Item) -> Answer:
     """Return what is found of something, its sentences in units of the process that asked."""
     with display_units(units):
         return solve(item)
 
 
-def _connected(address: str) -> Any:
+def _connect(address: str) -> Any:
     """Return a client of a Dask scheduler."""
     from distributed import Client
 
@@ -145,7 +145,7 @@ def _connected(address: str) -> Any:
 
 
 @contextlib.contextmanager
-def _without_the_script() -> Iterator[None]:
+def _hide_script() -> Iterator[None]:
     """Hide the script that runs from processes that start: they would run it, too, unless it is guarded against that.
 
     What they are to call is in this package.
@@ -160,9 +160,9 @@ def _without_the_script() -> Iterator[None]:
         vars(main).update(hidden)
 
 
-def _submitted(executor: Executor, solve: Callable[[Item], Answer], item: Item) -> Future[Answer]:
+def _submit(executor: Executor, solve: Callable[[Item], Answer], item: Item) -> Future[Answer]:
     try:
-        with _without_the_script(), _interrupts_ignored():
+        with _hide_script(), _ignore_interrupts():
             return executor.submit(solve, item)
     except BrokenProcessPool as error:
         refused: Future[Answer] = Future()
@@ -171,7 +171,7 @@ def _submitted(executor: Executor, solve: Callable[[Item], Answer], item: Item) 
 
 
 @contextlib.contextmanager
-def _interrupts_ignored() -> Iterator[None]:
+def _ignore_interrupts() -> Iterator[None]:
     """Let processes that are started ignore Ctrl-C from the beginning: it would end them while they import."""
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -183,11 +183,11 @@ def _interrupts_ignored() -> Iterator[None]:
         signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
-def _alone(solve: Callable[[Item], Answer], item: Item) -> Answer | LostError:
+def _run_alone(solve: Callable[[Item], Answer], item: Item) -> Answer | LostError:
     """Return what a process of its own finds."""
     for _ in range(ATTEMPTS):
         with _pool(1) as pool, contextlib.suppress(BrokenProcessPool):
-            return _submitted(pool, solve, item).result()
+            return _submit(pool, solve, item).result()
     return LostError()
 
 

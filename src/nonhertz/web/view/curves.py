@@ -11,7 +11,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.paths import find_parameter, list_parameters
 from nonhertz.files.results import plain
 from nonhertz.show.solving import attempted
-from nonhertz.study.quantities import SolvedContact, chosen, number_of
+from nonhertz.study.quantities import SolvedContact, choose_quantities, number_of
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import sound
 from nonhertz.web.view.replies import job
@@ -38,7 +38,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
     life = document.get("life")
     # Under a spectrum every point would be a dozen solutions.
     with_life = isinstance(life, dict) and "spectrum" not in life
-    quantities = chosen((*_NAMES, "life") if with_life else _NAMES, bearing=False)
+    quantities = choose_quantities((*_NAMES, "life") if with_life else _NAMES, bearing=False)
     with display_units("si"):
         scales = [quantity.amount().scale for quantity in quantities]
     points: list[dict[str, Any]] = []
