@@ -134,9 +134,9 @@ def page(found: dict[str, Any]) -> str:
         "",
         f"Written by `benchmarks/bearings.py`; do not edit. {found['machine']['processor']}, load average",
         f"{found['machine']['load']} at the start. Medians of {ROUNDS} rounds in which",
-        "the ways take turns, on one thread; the least in brackets. Strips begin from nothing.",
+        "the ways take turns, on one thread; the least in brackets. Strips start cold.",
         "",
-        "| | strips | maps at hand | slices |",
+        "| | strips | maps made before | slices |",
         "|---|--:|--:|--:|",
     ]
     for name in CASES:

@@ -102,7 +102,7 @@ def _keys(table: Table) -> list[str]:
     usual = any(each.meaning == table.meaning for each in table.kinds.values())
     head = [("``kind``", _words(table.kinds), "", "" if usual else "must be there", table.meaning_of_kind)]
     rows = [
-        (f"``{name}``", kind(key), "" if key.several else unit_of(key), _default(key), describe_field(key.each))
+        (f"``{name}``", kind(key), "" if key.several else unit_of(key), _default(key), describe_field(key.description))
         for name, key in table.keys.items()
     ]
     return list_table(("key", "value", "unit", "default", "meaning"), [*(head if table.kinds else []), *rows])
@@ -121,7 +121,7 @@ def _profiles() -> list[str]:
 
 def kind(key: Key) -> str:
     """Return in words what may stand for a key."""
-    one = key.each.each if isinstance(key.each, OneOrTwo) else key.each
+    one = key.description.item if isinstance(key.description, OneOrTwo) else key.description
     match one:
         case Quantity() if key.several:
             found = []
@@ -144,7 +144,7 @@ def kind(key: Key) -> str:
             found = ["text"] if getattr(one, "named", ()) else []
     found += ["table"] if key.tables and not isinstance(one, Several) else []
     found += ["list"] if key.several else []
-    found += ["list of two"] if one is not key.each else []
+    found += ["list of two"] if one is not key.description else []
     return " or ".join(filter(None, found))
 
 
@@ -155,7 +155,7 @@ def _words(words: Iterable[str]) -> str:
 def _default(key: Key) -> str:
     if key.usual is MISSING:
         return "must be there"
-    named = key.each.named if isinstance(key.each, Part) else {}
+    named = key.description.named if isinstance(key.description, Part) else {}
     usual = next((word for word, known in named.items() if known == key.usual), key.usual)
     plain = isinstance(usual, str | int | float) and usual not in ("", math.inf)
     return f"``{usual}``" if plain else ""

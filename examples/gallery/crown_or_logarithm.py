@@ -80,7 +80,7 @@ figure = along(tilted, "Tilted by 1 mrad")
 # %%
 # The largest pressure against the tilt
 # -------------------------------------
-# Where an end carries load the pressure there is unbounded: Lundberg's line stops at that tilt, and the straight roller
+# Where an end carries load the pressure is singular: Lundberg's line stops at that tilt, and the straight roller
 # and the flat crown have no line at all. Up to that tilt the logarithmic profile is better. The strong crown is hardly
 # affected by tilt, but its pressure is high from the start.
 

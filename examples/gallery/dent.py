@@ -2,9 +2,9 @@
 What does a dent do to the pressure?
 ====================================
 
-A hard particle was rolled over and left a dent in the raceway, half a millimetre wide and 3 micrometres deep, with a
-shoulder of 0.4 micrometres around it. Strips cannot see it, since its relief changes across the contact; a plane grid
-can. Roller 20 x 20 mm on an inner ring of 80 mm, 20 kN.
+A hard particle has left a dent in the raceway, half a millimetre wide and 3 micrometres deep, with a shoulder of 0.4
+micrometres. Its relief changes across the contact, so it needs a plane grid. Roller 20 x 20 mm on an inner ring of 80
+mm, 20 kN.
 """
 
 import numpy as np
@@ -24,8 +24,8 @@ print(f"maximum pressure: smooth {strips.max_pressure:.0f} MPa, dented {dented.m
 # %%
 # The pressure around the dent
 # ----------------------------
-# To true proportions; the white circle is the rim of the bowl. The bowl carries less, and the rim and the shoulder take
-# what the bowl does not. The contact ends on cell edges, hence the steps.
+# In true proportions; the white circle is the rim of the bowl. The bowl carries less, and the rim and the shoulder
+# carry what the bowl does not. The contact ends on cell edges, hence the steps.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 2.6), layout="constrained")

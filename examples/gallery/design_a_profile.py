@@ -2,9 +2,8 @@
 Which profile, when loads and tilts vary?
 =========================================
 
-A crown for one load without tilt is textbook. But a roller sees many loads, and misalignments: here 10 and 20 kN,
-upright and tilted by 0.5 mrad. Which crown has the least of all largest pressures, and how much better is a profile of
-any form?
+A crown for one load without tilt is textbook. But a roller carries many loads with misalignment: here 10 and 20 kN,
+aligned and tilted by 0.5 mrad. Which crown has the lowest peak pressure, and how much better is a free profile?
 """
 
 import numpy as np
@@ -23,8 +22,8 @@ LOADS = [nh.life.ContactLoadCase(load=load, share=0.25, tilt=tilt) for load in (
 # %%
 # A crown
 # -------
-# Its radius is searched from two starts. Around the optimum the pressure hardly changes: the bands say how far the
-# radius may go if it is to cost one and five per cent.
+# Its radius is searched from two starts. The bands show how far the radius may depart from the optimum for one and
+# five per cent of pressure.
 
 crown = nh.design.best(case, vary={"body.a.profile.radius": (400, 20000)}, loads=LOADS, starts=2, workers=1)
 print(crown)
@@ -34,8 +33,8 @@ for band in crown.bands:
 # %%
 # Any form
 # --------
-# A free profile only grows from the middle to both ends, here in six steps. It carries more on its ends, where the
-# crown has long lifted off, and so less in the middle.
+# A free profile only grows from the middle to both ends, here in six steps. Its ends carry more than those of the
+# crown, and its middle less.
 
 free = nh.design.best(case, vary={"body.a.profile": "free(60 um, 6)"}, loads=LOADS, starts=2, workers=1)
 print(free)

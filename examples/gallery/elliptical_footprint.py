@@ -2,8 +2,8 @@
 How exact is an elliptical contact?
 ===================================
 
-Where bodies are curved both ways, Hertz has the answer. Strips do not use it: they find for themselves how long and how
-wide the contact is, and how the load is distributed. A roller of 20 mm with a crown of 100 mm on a plate, 1000 N.
+Where bodies are curved both ways, Hertz has the answer. Strips do not use it: length, width and
+load distribution of the contact are solved for. A roller of 20 mm with a crown of 100 mm on a plate, 1000 N.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ for quantity in ("approach", "max_pressure"):
     print(f"{quantity:14}{found:14.6f}  Hertz {exact:14.6f}  off by {1e6 * (found / exact - 1):6.1f} ppm")
 
 # %%
-# The footprint, to true proportions.
+# The footprint, in true proportions.
 
 figure = figures(solution, "Roller 20 mm, crown 100 mm, on a plate")["footprint"]
 

@@ -38,8 +38,8 @@ def life(profile, tilt, model):
 # %%
 # Life against drop
 # -----------------
-# By the laminae of ISO/TS 16281, which cost next to nothing. An upright roller needs little drop; the greater the tilt,
-# the more drop pays off (circles: the best). The profile designed for the load itself (dotted) is a good choice up to
+# By the laminae of ISO/TS 16281, which cost next to nothing. An aligned roller needs little drop; the optimum (circles)
+# grows with the misalignment. The profile designed for the load itself (dotted) is a good choice up to
 # about 1 mrad.
 
 DESIGN_LOADS = LOAD * np.geomspace(0.15, 5, 29)

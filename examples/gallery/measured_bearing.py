@@ -2,8 +2,8 @@
 How do measured profiles affect a bearing?
 ==========================================
 
-ISO 16281 takes a logarithm for granted; the grinding machine has the last word. NU 206 under 10 kN with rollers of the
-standard's profile, and with two rollers and a raceway as they were measured. All contacts are solved by strips.
+ISO 16281 assumes a logarithmic profile; ground rollers differ. NU 206 under 10 kN with rollers of the
+standard's profile, and with two rollers and a raceway as measured. All contacts are solved by strips.
 """
 
 import numpy as np
@@ -58,7 +58,7 @@ def bearing(of, raceway):
     )
 
 
-# Where the lands end the corners go on. Those of the second roller are larger.
+# The corners begin where the lands end. Those of the second roller are larger.
 ROLLERS = {
     "ISO 16281": roller(nh.profile.iso_logarithmic(diameter=9, length=9.4), 0.3),
     "first roller": roller(nh.profile.tabulated(Y_FIRST, FIRST_ROLLER), 0.3),
@@ -85,8 +85,8 @@ with sheet_style():
 # %%
 # Pressures and lives
 # -------------------
-# All rollers of a bearing are taken to be equal. The measured ones drop off sooner, so that less of their length
-# carries the load, at a higher pressure, and their life is shorter. A tilt of the rings causes no peak at any end.
+# All rollers of a bearing are assumed equal. The measured ones have a shorter straight part, so the pressure is higher
+# and the life shorter. A misalignment of the rings causes no edge loading.
 # L10r is that of the laminae of ISO/TS 16281 with these pressures.
 
 found = {

@@ -2,9 +2,9 @@
 Which profile tolerates the misalignment of a whole bearing?
 ============================================================
 
-Shafts bend and housings are bored askew, and the life of a cylindrical roller bearing falls. How fast depends on the
-profile of its rollers. NU 206 under 6 kN, its rings tilted against each other by up to 3 mrad, with four profiles:
-straight between the corners, a crown, a crown beside a straight middle, and the logarithm of ISO 16281.
+Misalignment shortens the life of a cylindrical roller bearing; how much depends on the profile of its rollers. NU 206
+under 6 kN, its rings misaligned by up to 3 mrad, with four profiles: straight between the corners, a crown, a crown
+beside a straight middle, and the logarithm of ISO 16281.
 """
 
 import warnings
@@ -69,11 +69,10 @@ def at_all_tilts(values, label):
 # Life against misalignment
 # -------------------------
 # L10r of ISO/TS 16281, with the solved pressures at the ends of the rollers in place of the standard's edge function;
-# every contact is solved by strips. The straight rollers pay for the pressure at their corners before anything tilts.
-# The crown tolerates most tilt before its life drops, but its middle carries too much: the logarithm outlives it
-# throughout. The
-# partial crown is better than both up to 1.5 mrad, and falls faster. A catalogue's L10 knows neither profile nor tilt
-# (thin line).
+# every contact is solved by strips. The straight rollers suffer from edge loading even when aligned.
+# The crown tolerates most misalignment before its life drops, but its middle carries too much: the logarithmic profile
+# outlives it throughout. The partial crown is better than both up to 1.5 mrad, and falls faster. A catalogue's L10
+# depends on neither (thin line).
 
 basic = nh.bearing.assess(found["straight"][0], dynamic=DYNAMIC).basic_life
 with sheet_style():
@@ -111,10 +110,10 @@ with sheet_style():
     axes.spines[["top", "right"]].set_visible(False)
 
 # %%
-# What the shaft feels
-# --------------------
-# The moment that holds the inner ring at its tilt, which shaft calculations need: the crown gives way most, the
-# straight roller least.
+# Moment on the shaft
+# -------------------
+# The moment that holds the inner ring at its tilt, for shaft calculations: the crown is the most compliant, the
+# straight roller the stiffest.
 
 with sheet_style():
     moments = {name: np.array([1e-3 * each.force[4] for each in states]) for name, states in found.items()}

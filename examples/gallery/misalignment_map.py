@@ -46,17 +46,17 @@ def drawn(values, label, levels):
 # %%
 # The largest pressure
 # --------------------
-# Upright it is in the middle and grows slightly more slowly than the square root of the load, as in a Hertz contact of
-# fixed length: this contact also gets longer. Above about 30 kN the contact extends so far into the steep ends of the
-# profile that the peaks are there, and the contours have a kink. A tilt does the same on one side.
+# When aligned it is in the middle and grows slightly more slowly than the square root of the load, as in a Hertz
+# contact of fixed length: this contact also gets longer. Above about 30 kN the contact extends so far into the steep
+# ends of the profile that the peaks are there, and the contours have a kink. A tilt does the same on one side.
 
 figure = drawn(many.max_pressure, "Largest pressure [MPa]", np.arange(800, 5601, 400))
 
 # %%
 # Tilting stiffness
 # -----------------
-# The derivative of the moment with respect to the tilt at fixed approach, for each case: what a shaft calculation
-# needs. It comes with every solution, exactly, not from finite differences.
+# The derivative of the moment with respect to the tilt at fixed approach, for each case, for shaft
+# calculations. Every solution has it, exact and without finite differences.
 
 stiffness = many.stiffness[..., 1, 1]  # N mm / rad
 figure = drawn(1e-6 * stiffness, "d moment / d tilt [N m / mrad]", np.arange(8, 45, 3))

@@ -3,8 +3,8 @@ What can be said about a sharp end?
 ===================================
 
 A straight roller ends on a longer ring. At its edge the pressure between elastic bodies is unbounded: it grows
-as :math:`p = K s^{-\alpha}` towards the edge, and a maximum printed there only reflects the mesh size. What does
-converge is the exponent and the strength K. Straight roller 20 x 20 mm on a ring of 80 mm, 20 kN.
+as :math:`p = K s^{-\alpha}` towards the edge, and a maximum printed there only reflects the mesh size. The exponent and
+the strength K converge. Straight roller 20 x 20 mm on a ring of 80 mm, 20 kN.
 """
 
 import warnings

@@ -2,10 +2,10 @@
 How does a spherical roller bearing respond to misalignment?
 ============================================================
 
-Nothing: it turns about the middle of its outer raceway, which is part of a sphere. A cylindrical roller bearing
-resists. Here both have a bore of 30 mm, an outside diameter of 62 mm and a load of 8 kN; the rings are tilted against
-each other by up to 3 mrad. The cylindrical one is an NU 206; the inside of the other, two rows of 15 barrels, is a
-guess of the usual size. Everything is solved by strips.
+It turns freely about the centre of its spherical outer raceway. A cylindrical roller bearing resists. Here both have a
+bore of 30 mm, an outside diameter of 62 mm and a load of 8 kN; the rings are misaligned by up to 3 mrad. The
+cylindrical one is an NU 206; the other has two rows of 15 barrels, an estimate of the usual size. Everything is solved
+by strips.
 """
 
 import math
@@ -57,8 +57,8 @@ for name, states in found.items():
     print(f"{1e3 * TILTS[-1]:.0f} mrad change the load of a roller by {np.abs(tilted - upright).max():.0f} N at most")
 
 # %%
-# What it takes to tilt the inner ring
-# ------------------------------------
+# Moment against misalignment
+# ---------------------------
 # The moment about the middle of the bearing, and the largest pressure in it. In the cylindrical bearing the loads of
 # the rollers hardly change either, but the pressure moves along them and grows with every milliradian.
 
@@ -81,8 +81,8 @@ with sheet_style():
 # %%
 # Along the most loaded roller
 # ----------------------------
-# Pressure on the inner ring, upright and tilted by 3 mrad. On the barrels it is Hertz's ellipse, and the two lines are
-# one.
+# Pressure on the inner ring, aligned and tilted by 3 mrad. On the barrels it is Hertz's ellipse, and the two lines
+# coincide.
 
 with sheet_style():
     figure = Figure(figsize=(6.7, 3.0), layout="constrained")

@@ -3,7 +3,7 @@ Where is a misaligned roller contact stressed most?
 ===================================================
 
 Fatigue begins below the surface. A roller of 15 x 15 mm with the profile of ISO 16281 on an inner ring, 12 kN, tilted
-by 1 mrad: where is the largest von Mises stress in the ring, and how much larger is it than under an upright roller?
+by 1 mrad: where is the largest von Mises stress in the ring, and how much larger is it than under an aligned roller?
 """
 
 import numpy as np

@@ -2,8 +2,8 @@
 How much clearance, and how much tilt?
 ======================================
 
-A sweep over what a bearing file holds: the largest roller load and the life of NU 206 over its clearance and the tilt
-between its rings, by the slices of ISO/TS 16281. Rows that cannot be solved would say why, and stop no others.
+A sweep over inputs of a bearing file: the largest roller load and the life of NU 206 over its internal clearance and
+the misalignment of its rings, by the slices of ISO/TS 16281.
 """
 
 import numpy as np
@@ -35,7 +35,7 @@ found = nh.sweep(
 print(found)
 
 # %%
-# A little preload makes the life longest; every micrometre of clearance beyond shortens it, and so does tilt.
+# A little preload makes the life longest; clearance shortens it, and so does misalignment.
 
 life = found["reference_life"]
 best = np.unravel_index(life.argmax(), life.shape)

@@ -69,8 +69,8 @@ def over_preload(ylabel):
 # %%
 # Axial load of each row
 # ----------------------
-# A row of tapered rollers that carries a radial load pushes its rings apart along the axis. So both rows carry thrust,
-# and the difference between them is that of the shaft. Without preload half of the rollers idle.
+# A tapered row under radial load pushes its rings apart along the axis. Both rows therefore carry thrust, and the
+# difference is that of the shaft. Without preload half of the rollers are unloaded.
 
 rows = np.array([thrusts(state) for state in states])
 loaded = np.array([state.loaded_share for state in states])
@@ -93,8 +93,8 @@ with sheet_style():
 # Stiffness and life
 # ------------------
 # Stiffness against each motion of the shaft, and L10r by the laminae of ISO/TS 16281 with the solved pressures,
-# relative to those without preload. Kinks are where another roller becomes loaded; from 50 μm of preload on all of
-# the first row do. Radial and tilting stiffness grow equally.
+# relative to those without preload. Kinks are where another roller becomes loaded; above 50 μm of preload the
+# whole first row is. Radial and tilting stiffness grow equally.
 
 KINDS = {
     "axial": (0, FIRST, "-"),
@@ -115,10 +115,10 @@ with sheet_style():
 print(f"longest life at {1e3 * PRELOADS[lives.argmax()]:.0f} um")
 
 # %%
-# How much thrust lifts the second row off
-# ----------------------------------------
+# Thrust that unloads the second row
+# ----------------------------------
 # Without radial load, and with 20 μm of preload. The bearing is as stiff as two rows until the second one lifts off.
-# Then the other one yields twice as much as at rest, and takes 2^n times the preload. For line contacts that is 2.16,
+# Then the other one has twice the approach, and carries 2^n times the preload. For line contacts that is 2.16,
 # n being 10/9; rollers with a crown touch on ellipses as long as loads are light, with Hertz's n = 3/2 and 2.83. Here
 # it is a little more, since the rings are thin: they yield as the load, which reduces Hertz's approach.
 

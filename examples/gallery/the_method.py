@@ -3,9 +3,9 @@ How does the method work?
 =========================
 
 The strip elements of de Mul, Kalker and Vree (1998; "the paper") in plain NumPy, from the coefficients of one strip to
-the pressure of a contact, with the paper's symbols and numbers of equations. Nothing of the library is used until its
-result is set beside this one, on the same strips. The library does more: semi-elliptic strips, side faces, depth, and
-a grid that it finds for itself; see the theory.
+the pressure of a contact, with the paper's symbols and numbers of equations. The library's result on the same
+strips serves only as a comparison. The library does more: semi-elliptic strips, side faces, depth, and an automatic
+grid; see the theory.
 """
 
 import warnings
@@ -21,7 +21,7 @@ from nonhertz.plot.style import FIRST, SECOND, sheet_style
 # ---------
 # Strip j lies about :math:`y_j` and is :math:`\Delta y_j` wide. Across, its pressure is a parabola,
 # :math:`p = s_j (c_j^2 - x^2)`. With the distances :math:`y'` of its two edges from a point :math:`y_i` of the centre
-# line, differences of closed forms give what it does there, for every pair of strips at once.
+# line, differences of closed forms give its effect there, for every pair of strips at once.
 
 
 def coefficients(y, width, c):
@@ -129,8 +129,8 @@ print(f"approach {approach:.9f} mm, by the library {library[0]:.9f}, Hertz {hert
 print(f"pressure {pressure.max():.5f} MPa, by the library {library[1].max():.5f}, Hertz {hertz.max_pressure:.5f}")
 
 # %%
-# Lines are Hertz's ellipse. What parabolas leave, 0.6 % in pressure and 1.4 % in approach, no number of strips removes;
-# it is why the library's own choice is the semi-ellipse.
+# Lines are Hertz's ellipse. Parabolas keep an error of 0.6 % in pressure and 1.4 % in approach at any number of
+# strips; the library's default is therefore the semi-ellipse.
 
 y, along = (edges[1:] + edges[:-1]) / 2, np.linspace(-1, 1, 401) * hertz.half_length
 with sheet_style():

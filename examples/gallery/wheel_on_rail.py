@@ -28,7 +28,7 @@ rail = nh.Body(profile=nh.profile.two_radius(radius=FLAT_ARC, end_radius=STEEP_A
 wheel = nh.Body(diameter=920)
 contact = nh.Contact(wheel, rail)
 
-# The warnings say that the contact is wider than long; see the end of the page for what that costs.
+# The warnings say that the contact is wider than long; the end of the page gives the error.
 warnings.simplefilter("ignore", nh.AccuracyWarning)
 
 CONES = np.linspace(0.0, 0.1, 21)  # rad; new wheels have 1 in 40 to 1 in 20 against the axle

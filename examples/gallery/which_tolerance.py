@@ -2,8 +2,8 @@
 Which tolerance matters?
 ========================
 
-The radius of a crown, that of the corners, the load and the misalignment of a roller scatter. How much does the largest
-pressure, and which of them is worth tightening?
+The radii of crown and corners, the load and the misalignment of a roller vary. How much does the largest pressure vary,
+and which of them is worth tightening?
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ found = nh.tolerance(case, over=DISTRIBUTIONS, samples=1500, quantities=("max_pr
 # %%
 # The distribution
 # ----------------
-# Each quantile lies within its interval with 95 % certainty, whatever the distribution is like.
+# Each quantile lies within its interval with 95 % confidence, for any distribution.
 
 quantiles = found.quantiles("max_pressure")
 for each in quantiles:
@@ -37,10 +37,9 @@ for each in quantiles:
     )
 
 # %%
-# What it is due to
-# -----------------
-# The first index is the share of the variance that a parameter has alone, the total one with all that it does together
-# with the others.
+# Causes
+# ------
+# The first index is the share of the variance due to a parameter alone, the total one with its interactions.
 
 indices = found.indices("max_pressure")
 for each in indices:
