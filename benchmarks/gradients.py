@@ -79,7 +79,7 @@ def page(found: dict[str, Any]) -> str:
         "",
         f"Written by `benchmarks/gradients.py`; do not edit. {found['machine']['processor']}, load average",
         f"{found['machine']['load']} at the start. Shares of the solve before it, medians of {ROUNDS} pairs,",
-        f"on one thread. The target is {TARGET} solves for a gradient, whatever the number of parameters: it has the",
+        f"on one thread. The target is {TARGET} solves for a gradient, for any number of parameters: it has the",
         "derivatives by relief and curvature at every strip. A dimension by its name also takes the bodies anew, four",
         "times.",
         "",

@@ -264,7 +264,7 @@ def many_cases(results: dict[str, Any]) -> Iterator[str]:
     yield "## Many cases in one call"
     yield ""
     yield f"{cases.MANY} cases on {cases.STRIPS} equal strips in one `solve_many`, on one thread and two in turn; the"
-    yield "time of the call over the number of cases, and the median of the ratios. Of a sweep, each case starts from"
+    yield "time of the call over the number of cases, and the median of the ratios. In a sweep, each case starts from"
     yield "the one before."
     yield ""
     yield "| cases | one thread | two threads | gain |"
