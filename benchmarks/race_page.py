@@ -47,19 +47,19 @@ RULES = """\
 ## Rules
 
 - All plane grids solve the same equations on the same cells: rectangles of uniform pressure on half-spaces under a
-  load. That their solutions agree is checked.
+  load. Their solutions are checked to agree.
 - Each runs with its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the
-  maximum pressure on its grid, a tenth of what is asked above.
-- Plane grids are given a rectangle that just holds the contact, with sharp ends on edges of cells; strips find it.
-  ASPHER has square cells on a square alone, so is given one as long as the rectangle: most of its cells lie beside the
-  contact, and it has no part in the grid that all have in common.
-- What a peer can keep between solves is made before the clock starts. Ours are timed from contact to answer.
-- ContactMechanics and ASPHER run the fastest of their solvers for a prescribed load: {winners}.
-  tamaas starts from zero pressure. All are as pip installs them; ASPHER it builds on this machine.
-- A process for each program, contact and grid; the median of five runs or more after a first, or of as many as fit into
-  a second. A solve expected to take longer than {dearest} s is left out.
+  maximum pressure on its grid, a tenth of the target above.
+- Plane grids get a rectangle that just encloses the contact, with sharp ends on edges of cells; strips find it.
+  ASPHER has square cells on a square only, as long as the rectangle: most of its cells lie beside the contact, and it
+  has no part in the common grid.
+- Set-up that a peer can reuse is not timed. Ours is timed from contact to answer.
+- ContactMechanics and ASPHER run their fastest solver for a prescribed load: {winners}.
+  tamaas starts from zero pressure. All are as pip installs them; pip builds ASPHER on this machine.
+- Each program, contact and grid has its own process; the time is the median of at least five runs after a first, or of
+  as many as fit into a second. Solves longer than {dearest} s are left out.
 - The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`), so that the error
-  of strips where a contact ends counts against them.
+  of strips at the end of a contact counts against them.
 """
 
 
