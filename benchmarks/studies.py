@@ -73,7 +73,7 @@ def designs() -> list[dict[str, Any]]:
         ("free form of eight steps", FREE, "life"),
     ):
         begun = time.perf_counter()
-        design = nh.design.best(case(), vary=vary, goal=goal, loads=loads())
+        design = nh.optimize(case(), bounds=vary, goal=goal, loads=loads())
         taken = time.perf_counter() - begun
         values = [start.value for start in design.starts]
         found.append(
@@ -88,7 +88,7 @@ def designs() -> list[dict[str, Any]]:
 
 def uniform() -> dict[str, float]:
     """Return how even the pressure under the best free form for one load is, over 90 % of the land."""
-    design = nh.design.best(case(), vary=FREE, loads=[ContactLoadCase(load=15e3, share=1.0)])
+    design = nh.optimize(case(), bounds=FREE, loads=[ContactLoadCase(load=15e3, share=1.0)])
     solution = nh.solve(design.case.contact, load=15e3)
     inner = solution.centre_pressure[np.abs(solution.y) <= 0.9 * 9.5]
     return {"unevenness": float(np.ptp(inner) / inner.mean()), "largest": float(inner.max())}

@@ -25,7 +25,7 @@ LOADS = [nh.life.ContactLoadCase(load=load, share=0.25, tilt=tilt) for load in (
 # Its radius is searched from two starts. The bands show how far the radius may depart from the optimum for one and
 # five per cent of pressure.
 
-crown = nh.design.best(case, vary={"body.a.profile.radius": (400, 20000)}, loads=LOADS, starts=2, workers=1)
+crown = nh.optimize(case, bounds={"body.a.profile.radius": (400, 20000)}, loads=LOADS, n_starts=2, workers=1)
 print(crown)
 for band in crown.bands:
     print(f"{100 * band.cost:.0f} % more pressure: radius from {1e-3 * band.low:.1f} to {1e-3 * band.high:.1f} m")
@@ -36,7 +36,7 @@ for band in crown.bands:
 # A free profile only grows from the middle to both ends, here in six steps. Its ends carry more than those of the
 # crown, and its middle less.
 
-free = nh.design.best(case, vary={"body.a.profile": "free(60 um, 6)"}, loads=LOADS, starts=2, workers=1)
+free = nh.optimize(case, bounds={"body.a.profile": "free(60 um, 6)"}, loads=LOADS, n_starts=2, workers=1)
 print(free)
 print(f"{100 * (1 - free.value / crown.value):.0f} % less than the best crown")
 

@@ -33,7 +33,8 @@ found = nh.tolerance(case, over=DISTRIBUTIONS, samples=1500, quantities=("max_pr
 quantiles = found.quantiles("max_pressure")
 for each in quantiles:
     print(
-        f"{100 * each.share:3.0f} % below {each.value:4.0f} MPa, certainly between {each.low:4.0f} and {each.high:4.0f}"
+        f"{100 * each.probability:3.0f} % below {each.value:4.0f} MPa, "
+        f"certainly between {each.low:4.0f} and {each.high:4.0f}"
     )
 
 # %%
@@ -53,7 +54,7 @@ with sheet_style():
         found.samples("max_pressure"),
         figure.add_subplot(1, 2, 1),
         label="Largest pressure [MPa]",
-        quantiles={each.share: (each.low, each.high) for each in quantiles if np.isfinite(each.low + each.high)},
+        quantiles={each.probability: (each.low, each.high) for each in quantiles if np.isfinite(each.low + each.high)},
     )
     names = ("first", "total", "first_low", "first_high", "total_low", "total_high")
     first, total, *ends = np.array([[getattr(each, name) for name in names] for each in indices]).T

@@ -66,11 +66,12 @@ if TYPE_CHECKING:
     from nonhertz.result.status import Status as Status
     from nonhertz.solver.many import solve_many as solve_many
     from nonhertz.solver.one import solve as solve
-    from nonhertz.solver.portions import Portion as Portion
+    from nonhertz.solver.portions import Chunk as Chunk
     from nonhertz.solver.solutions import Solutions as Solutions
     from nonhertz.strip.element import PARABOLIC as PARABOLIC
     from nonhertz.strip.element import SEMI_ELLIPTIC as SEMI_ELLIPTIC
-    from nonhertz.study import design as design
+    from nonhertz.study.design import optimize as optimize
+    from nonhertz.study.design import pareto as pareto
     from nonhertz.study.sweeps import sweep as sweep
     from nonhertz.study.tolerances import tolerance as tolerance
 
@@ -99,7 +100,7 @@ _HOMES = {
     "PARABOLIC": "nonhertz.strip.element",
     "Plan": "nonhertz.files.planfile",
     "Plate": "nonhertz.model.body",
-    "Portion": "nonhertz.solver.portions",
+    "Chunk": "nonhertz.solver.portions",
     "Result": "nonhertz.files.resultfile",
     "Ring": "nonhertz.model.body",
     "Roller": "nonhertz.model.body",
@@ -114,6 +115,8 @@ _HOMES = {
     "contact_map": "nonhertz.maps.verb",
     "new_bearing": "nonhertz.files.bearingfile",
     "new_case": "nonhertz.files.casefile",
+    "optimize": "nonhertz.study.design",
+    "pareto": "nonhertz.study.design",
     "read_bearing": "nonhertz.files.bearingfile",
     "read_case": "nonhertz.files.casefile",
     "read_plan": "nonhertz.files.planfile",
@@ -125,7 +128,6 @@ _HOMES = {
 }
 _MODULES = {
     "bearing": "nonhertz.bearing",
-    "design": "nonhertz.study.design",
     "hertz": "nonhertz.hertz",
     "files": "nonhertz.files",
     "life": "nonhertz.life",

@@ -163,7 +163,7 @@ def assess(
     largest : Extremes, optional
         The largest stresses of the body if they are at hand, from `nonhertz.subsurface.extremes`; searched otherwise.
     **options
-        ``body``, ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
+        ``body``, ``threads`` and ``callback`` as in `nonhertz.subsurface.stress`.
 
     Returns
     -------
@@ -218,7 +218,7 @@ def assess(
     body = solution.contact.a if name == "a" else solution.contact.b
     case, core = largest, None
     if body.case_depth is not None:
-        options.pop("announce", None)
+        options.pop("callback", None)
         at = (largest.von_mises.z, largest.shear.z)
         # A largest value of the whole body need not be searched again in the part that it lies in.
         case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)

@@ -190,7 +190,6 @@ MODULES = {"nonhertz.profile": nh.profile} | {
         "plot",
         "strength",
         "study",
-        "study.design",
         "subsurface",
     )
 }

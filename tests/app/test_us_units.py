@@ -72,7 +72,7 @@ def once(function: Callable[..., Any]) -> Callable[..., Any]:
     made: dict[str, Any] = {}
 
     def found(solution: Any, *arguments: Any, **options: Any) -> Any:
-        wanted = {name: each for name, each in options.items() if name not in ("threads", "announce")}
+        wanted = {name: each for name, each in options.items() if name not in ("threads", "callback")}
         key = repr((solution.contact, solution.load, solution.tilt, arguments, wanted))
         if key not in made:
             made[key] = function(solution, *arguments, **options)

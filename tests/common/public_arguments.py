@@ -129,13 +129,14 @@ GOOD: dict[str, Any] = {
     "other": LIFE, "outer": ROW.outer, "outer_groove": 31.0, "points": TRACE, "poisson": 0.3,
     "profile_radius": 30.0, "radius": 500.0, "radius_x": 10.0, "radius_y": 100.0, "relative_limit": 0.3,
     "reliability": 0.95, "roller": ROW.roller, "roller_diameter": 10.0, "rollers": 13, "row": 0, "samples": 3,
-    "share": 0.5,
+    "share": 0.5, "probability": 0.5, "probabilities": 0.5,
     "shaft": MOUNTING.shaft, "slope": 1.0, "solution": SOLUTION, "source": "own", "speed": 1e3, "station": 0.0,
     "straight": 5.0, "stress": "shear", "strips": 11, "terms": {2: 0.005}, "threads": 1, "trace": TRACE,
     "viscosity_ratio": 1.0, "width": 1.0, "workers": 1, "x": 0.0, "y": 0.0, "z": 0.1,
 }  # fmt: skip
 SLICED = {"method": "slices"}
 SPAN = {"y": [-1.0, 1.0]}
+RADIUS = {"body.a.profile.radius": (1e3, 3e3)}
 DESIGN = {"load": 1e3, "radius": 10.0}
 GRID = {"x": [0.0], "z": [0.1]}
 HEIGHTS = {"y": Y, "height": -(Y**2) / 4000.0}
@@ -239,5 +240,7 @@ OTHERWISE: dict[str, dict[str, Any]] = {
     "subsurface.volume": GRID | {"y": [0.0]},
     "study.diagram": {"case": SLICED_CASE, "over": "clearance", "values": "0 : 20 um : 2"},
     "sweep": {"plan": nh.Plan(UPRIGHT, over={"load.load": [1e3]}), "samples": None},
+    "optimize": {"case": UPRIGHT, "bounds": RADIUS, "n_starts": 1},
+    "pareto": {"case": UPRIGHT, "bounds": RADIUS, "n_starts": 1, "first": CASES, "second": CASES, "points": 3},
     "tolerance": {"plan": UPRIGHT, "over": {"load.load": "uniform(1 kN, 2 kN)"}},
 }  # fmt: skip

@@ -12,7 +12,7 @@ from nonhertz.figures.value import Line
 from nonhertz.files.free_forms import FreeForm, parse_free_form
 from nonhertz.plot.drawer import sheet_of
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.study.design import best, check_design, find_starts, front
+from nonhertz.study.design import check_design, find_starts, optimize, pareto
 from nonhertz.study.figures import design_figures, front_figures
 from nonhertz.study.limits import limits_in
 from nonhertz.study.objective import Variable
@@ -27,8 +27,8 @@ LOADS = [nh.life.ContactLoadCase(load=20e3, share=0.7), nh.life.ContactLoadCase(
 RADIUS = {"body.a.profile.radius": "1500 mm : 30000 mm"}
 
 
-def asked(vary, goal="pressure", loads=None, where=None, case=CASE):
-    return check_design(case, vary, goal, loads or LOADS, where, None, None)[0]
+def asked(vary, goal="pressure", loads=None, constraints=None, case=CASE):
+    return check_design(case, vary, goal, loads or LOADS, constraints, None, None)[0]
 
 
 @pytest.mark.parametrize("goal", ["pressure", "life"])
@@ -64,7 +64,7 @@ def test_derivatives_are_those_of_differences(goal, vary, x):
 
 @pytest.mark.slow
 def test_the_crown_for_a_load_is_the_best_of_many():
-    found = best(CASE, vary=RADIUS, loads=LOADS, starts=3, workers=1)
+    found = optimize(CASE, bounds=RADIUS, loads=LOADS, n_starts=3, workers=1)
     radii = np.geomspace(1500.0, 30000.0, 60)
     swept = nh.sweep(
         CASE, over={"body.a.profile.radius": radii, "load.tilt": [0.0, 0.7e-3]}, quantities=("max_pressure",), workers=1
@@ -90,14 +90,14 @@ def test_the_crown_for_a_load_is_the_best_of_many():
 
 @pytest.mark.parametrize(("low", "high", "said"), [(1500.0, 2000.0, "highest"), (4e3, 6e3, "lowest"), (2e3, 4e3, "")])
 def test_an_optimum_at_an_end_of_its_range_is_warned_of(low, high, said):
-    found = best(CASE, vary={"body.a.profile.radius": (low, high)}, loads=LOADS, starts=1, workers=1)
+    found = optimize(CASE, bounds={"body.a.profile.radius": (low, high)}, loads=LOADS, n_starts=1, workers=1)
     words = f"The best body.a.profile.radius is the {said} of its range, {low:g} to {high:g} mm: "
     assert [each.startswith(words) for each in found.warnings] == ([True] if said else [])
     assert [each.kind for each in found.findings] == (["at-bound"] if said else [])
 
 
 def test_the_longest_life_is_longer_than_that_of_neighbours():
-    found = best(CASE, vary=RADIUS, goal="life", loads=LOADS, starts=2, workers=1)
+    found = optimize(CASE, bounds=RADIUS, goal="life", loads=LOADS, n_starts=2, workers=1)
     assert found.value > 1.0
     assert found.before == 1.0
     task = asked(RADIUS, "life")
@@ -122,7 +122,7 @@ def test_the_longest_life_is_longer_than_that_of_neighbours():
 @pytest.mark.slow
 def test_without_tilt_a_free_profile_comes_close_to_uniform_pressure():
     case = nh.Case(CASE.contact, {"load": 20e3}, {})
-    found = best(case, vary={"body.a.profile": "free(60 um, 6)"}, starts=1, workers=1)
+    found = optimize(case, bounds={"body.a.profile": "free(60 um, 6)"}, n_starts=1, workers=1)
     solution = nh.solve(found.case.contact, load=20e3)
     # The search ends to the accuracy of the case, wherever a less accurate one led it.
     assert found.starts[0].history[-1] == found.value == pytest.approx(solution.max_pressure, rel=1e-6)
@@ -138,22 +138,32 @@ def test_without_tilt_a_free_profile_comes_close_to_uniform_pressure():
 
 @pytest.mark.slow
 def test_limits_hold_under_every_load():
-    free = best(CASE, vary=RADIUS, loads=LOADS, starts=2, workers=1)
+    free = optimize(CASE, bounds=RADIUS, loads=LOADS, n_starts=2, workers=1)
     most = max(nh.solve(free.case.contact, load=each.load, tilt=each.tilt, strips=41).approach for each in LOADS)
-    held = best(CASE, vary=RADIUS, loads=LOADS, starts=2, workers=1, where={"approach": f"at most {0.95e3 * most} um"})
+    held = optimize(
+        CASE, bounds=RADIUS, loads=LOADS, n_starts=2, workers=1, constraints={"approach": f"at most {0.95e3 * most} um"}
+    )
     for each in LOADS:
         assert nh.solve(held.case.contact, load=each.load, tilt=each.tilt, strips=41).approach <= 0.951 * most
     assert held.value > free.value
     # One that has no gradient is met by differences.
     least = free_stiffness(free)
-    stiff = best(
-        CASE, vary=RADIUS, loads=LOADS, starts=2, workers=1, where={"load_by_approach": f"at least {1.01 * least}"}
+    stiff = optimize(
+        CASE,
+        bounds=RADIUS,
+        loads=LOADS,
+        n_starts=2,
+        workers=1,
+        constraints={"load_by_approach": f"at least {1.01 * least}"},
     )
     assert free_stiffness(stiff) >= 1.009 * least
 
 
 def test_margins_by_differences_are_those_of_gradients():
-    task, x = asked(RADIUS, where={"approach": "at most 30 um", "max_pressure": "at least 1500 MPa"}), np.array([0.4])
+    task, x = (
+        asked(RADIUS, constraints={"approach": "at most 30 um", "max_pressure": "at least 1500 MPa"}),
+        np.array([0.4]),
+    )
     judged = task.at(x)
     approach, pressure = ([getattr(each, name) for each in judged.solutions] for name in ("approach", "max_pressure"))
     expected = [*(1.0 - np.array(approach) / 0.03), *(np.array(pressure) / 1500.0 - 1.0)]
@@ -171,13 +181,13 @@ def free_stiffness(found):
 
 def test_a_limit_that_nothing_meets_is_told_with_how_much_is_missing():
     with pytest.raises(nh.InputError, match=r"every start falls short, by .* % at least"):
-        best(CASE, vary=RADIUS, starts=1, workers=1, where={"approach": "at most 1 um"})
+        optimize(CASE, bounds=RADIUS, n_starts=1, workers=1, constraints={"approach": "at most 1 um"})
 
 
 @pytest.mark.slow
 def test_no_point_of_a_front_is_better_than_another_in_both():
     case = replace(CASE, solver={"strips": 31})
-    found = front(case, first=LOADS[:1], second=LOADS[1:], vary=RADIUS, points=3, starts=1, workers=1)
+    found = pareto(case, first=LOADS[:1], second=LOADS[1:], bounds=RADIUS, points=3, n_starts=1, workers=1)
     assert len(found.first) == 3
     assert np.all(np.diff(found.first) <= 1e-3 * found.first[0])
     assert np.all(np.diff(found.second) >= -1e-3 * found.second[0])
@@ -190,7 +200,7 @@ def test_no_point_of_a_front_is_better_than_another_in_both():
 
 def test_points_of_a_front_at_an_end_of_a_range_are_warned_of():
     case, vary = replace(CASE, solver={"strips": 11}), {"body.a.profile.radius": (1500.0, 2000.0)}
-    found = front(case, first=LOADS[:1], second=LOADS[1:], vary=vary, points=3, starts=1, workers=1)
+    found = pareto(case, first=LOADS[:1], second=LOADS[1:], bounds=vary, points=3, n_starts=1, workers=1)
     figure = front_figures(found, ("upright", "tilted"))["front"]
     (line,) = figure.panels[0].marks
     assert (line.x.tolist(), line.y.tolist()) == (list(found.first), list(found.second))
@@ -222,7 +232,7 @@ def test_bounds_of_a_free_profile_are_those_of_its_steps():
 @pytest.mark.slow
 def test_a_free_profile_stays_within_the_slope_and_the_curvature_that_it_may_have():
     loose, bound = (
-        best(CASE, vary={"body.a.profile": text}, loads=LOADS, starts=2, workers=1)
+        optimize(CASE, bounds={"body.a.profile": text}, loads=LOADS, n_starts=2, workers=1)
         for text in ("free(60 um, 5)", "free(60 um, 5, slope 2 mrad, radius 2000 mm)")
     )
     (tables,) = bound.case.document["body"]["a"]["profile"]
@@ -268,26 +278,26 @@ BY_ITS_DROP = nh.Case.of(
 @pytest.mark.parametrize(
     ("given", "what"),
     [
-        ({"vary": {}}, "must name a path"),
-        ({"vary": {"body.a.profile.radiu": "1 m : 2 m"}}, "Did you mean body.a.profile.radius"),
-        ({"vary": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
-        ({"vary": {"body.a.material": "steel"}}, "change gradually"),
+        ({"bounds": {}}, "must name a path"),
+        ({"bounds": {"body.a.profile.radiu": "1 m : 2 m"}}, "Did you mean body.a.profile.radius"),
+        ({"bounds": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
+        ({"bounds": {"body.a.material": "steel"}}, "change gradually"),
         ({"case": BY_ITS_DROP}, "beside body.a.profile.drop, which the case gives in its place: vary it"),
-        ({"vary": {"body.a.length": (-1.0, 2.0)}}, "stay within what the case allows"),
+        ({"bounds": {"body.a.length": (-1.0, 2.0)}}, "stay within what the case allows"),
         ({"goal": "beauty"}, "goal = 'beauty' must be one of"),
         ({"loads": []}, "be load cases"),
         ({"loads": LOADS[:1]}, "must add up to 1"),
-        ({"where": {"aproach": "at most 1 um"}}, "Unknown quantity aproach. Did you mean approach"),
-        ({"where": {"approach": "1 um"}}, "begin with 'at most' or 'at least'"),
-        ({"where": {"approach": "at most 0 um"}}, "must not be zero"),
+        ({"constraints": {"aproach": "at most 1 um"}}, "Unknown quantity aproach. Did you mean approach"),
+        ({"constraints": {"approach": "1 um"}}, "begin with 'at most' or 'at least'"),
+        ({"constraints": {"approach": "at most 0 um"}}, "must not be zero"),
         ({"goal": "life", "model": nh.life.ioannides_harris()}, "fatigue_limit"),
-        ({"starts": 0}, "starts = 0 must be"),
+        ({"n_starts": 0}, "n_starts = 0 must be"),
         ({"case": nh.Case(CASE.contact, {"approach": 0.01})}, "have a load"),
     ],
 )
 def test_what_cannot_be_designed_is_refused_in_one_sentence(given, what):
     with pytest.raises(nh.InputError, match=what) as caught:
-        best(**{"case": CASE, "vary": RADIUS, "workers": 1} | given)
+        optimize(**{"case": CASE, "bounds": RADIUS, "workers": 1} | given)
     assert len(str(caught.value).splitlines()) == 1
 
 

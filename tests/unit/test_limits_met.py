@@ -63,6 +63,6 @@ def test_a_sweep_has_that_of_its_rows_and_none_without_pressures():
 def test_a_design_has_that_of_its_best_case():
     case = nh.Case(pressed(5e3, 1500.0).contact, {"load": 5e3}, {})
     loads = [ContactLoadCase(load=5e3, share=0.5), ContactLoadCase(load=20e3, share=0.5)]
-    found = nh.design.best(case, vary={"body.a.profile.radius": (800.0, 1200.0)}, loads=loads, starts=1, workers=1)
+    found = nh.optimize(case, bounds={"body.a.profile.radius": (800.0, 1200.0)}, loads=loads, n_starts=1, workers=1)
     assert found.verdict.words == "Limits not met under 20 kN without tilt."
     assert dict(found.verdict.findings[0].numbers)["pressure"].values[0] == pytest.approx(found.value, rel=1e-9)

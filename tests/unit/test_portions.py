@@ -42,9 +42,9 @@ def assert_equal(found: nh.Solutions, expected: nh.Solutions) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("strips", [15, None], ids=["equal", "automatic"])
 def test_portions_hold_every_case_once_as_the_results_do(strips):
-    portions: list[nh.Portion] = []
+    portions: list[nh.Chunk] = []
     contacts, load = [CROWNED, CHAMFERED], np.linspace(2e3, 9e3, 90)[:, None]
-    many = nh.solve_many(contacts, load=load, strips=strips, announce=portions.append)
+    many = nh.solve_many(contacts, load=load, strips=strips, callback=portions.append)
     assert_equal(many, nh.solve_many(contacts, load=load, strips=strips))
     assert len(portions) > 1
     assert sorted(np.concatenate([each.numbers for each in portions]).tolist()) == list(range(180))
@@ -68,7 +68,7 @@ def test_what_is_announced_does_not_depend_on_the_threads():
             failures = [f"{at}: {error}" for at, error in portion.solutions.failures.items()]
             found.append((portion.numbers.tolist(), portion.solutions.load.astype(str).tolist(), failures))
 
-        nh.solve_many(CROWNED, **CASES, strips=15, threads=threads, announce=note)
+        nh.solve_many(CROWNED, **CASES, strips=15, threads=threads, callback=note)
     assert said[1] == said[3]
     assert len(said[1]) == 4
     assert [len(failures) for *_, failures in said[1]] == [0, 0, 0, 2]
@@ -82,7 +82,7 @@ def test_an_error_of_the_callback_stops_the_run():
         raise RuntimeError("the disk is full")
 
     with pytest.raises(RuntimeError, match="the disk is full"):
-        nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 2000), strips=15, announce=fails)
+        nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 2000), strips=15, callback=fails)
     assert len(calls) == 1
 
 
@@ -91,7 +91,7 @@ def interrupted(**case) -> nh.Interrupted:
         raise KeyboardInterrupt
 
     with pytest.raises(nh.Interrupted) as stopped:
-        nh.solve_many(CROWNED, **case, threads=2, announce=stop)
+        nh.solve_many(CROWNED, **case, threads=2, callback=stop)
     return stopped.value
 
 
@@ -142,7 +142,7 @@ def test_a_profile_that_is_being_asked_is_waited_for_but_not_for_long(monkeypatc
     asked.clear()
     try:
         with pytest.raises(nh.Interrupted, match=r"^Stopped after 64 of 128 cases\.$") as stopped:
-            nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, announce=stop)
+            nh.solve_many([CROWNED] * 64 + [stuck] * 64, load=5e3, strips=11, threads=2, callback=stop)
     finally:
         go_on.set()
     assert list(stopped.value.solutions.failures) == list(range(64, 128))
@@ -193,7 +193,7 @@ def show(portion):
         print("begun", flush=True)
 
 try:
-    nh.solve_many(contact, load=np.linspace(2e3, 9e3, 200_000), strips=41, announce=show)
+    nh.solve_many(contact, load=np.linspace(2e3, 9e3, 200_000), strips=41, callback=show)
 except nh.Interrupted as stop:
     found = stop.solutions
     solved = int(np.count_nonzero(found.converged))

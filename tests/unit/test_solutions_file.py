@@ -144,7 +144,7 @@ def test_cases_that_a_stopped_run_left_are_saved_too(tmp_path):
         raise KeyboardInterrupt
 
     with pytest.raises(nh.Interrupted) as stopped:
-        nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 2000), strips=15, announce=stop)
+        nh.solve_many(CROWNED, load=np.linspace(2e3, 9e3, 2000), strips=15, callback=stop)
     many = stopped.value.solutions
     found = again(many, CROWNED, tmp_path)
     assert not found.converged.all()

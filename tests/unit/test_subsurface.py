@@ -93,7 +93,7 @@ def test_threads_and_portions_change_no_digit(tilted):
     points = np.random.default_rng(3).uniform(-1.0, 1.0, (3, 2 * PORTION + 5)) * [[0.5], [9.0], [1.0]]
     points[2] = np.abs(points[2])
     done: list[tuple[int, int]] = []
-    alone = stress(tilted, *points, threads=1, displacement=True, announce=lambda *counts: done.append(counts))
+    alone = stress(tilted, *points, threads=1, displacement=True, callback=lambda *counts: done.append(counts))
     together = stress(tilted, *points, threads=3, displacement=True)
     np.testing.assert_array_equal(alone.stress, together.stress)
     np.testing.assert_array_equal(alone.displacement, together.displacement)

@@ -148,12 +148,12 @@ def test_a_sweep_goes_on_where_it_was_stopped(tmp_path):
 
     over = {"load.load": np.linspace(5e3, 20e3, 130)}
     with pytest.raises(nh.Interrupted, match="Stopped after 3 of 130 rows, which are kept") as caught:
-        nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=stop, workers=1)
+        nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, callback=stop, workers=1)
     assert isinstance(caught.value.solutions, Sweep)
     assert caught.value.solutions["approach"].shape == (3,)
     assert seen == [0, 3]
     begun = []
-    whole = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, announce=begun.append, workers=1)
+    whole = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, callback=begun.append, workers=1)
     assert (begun[0].done, begun[0].found) == (3, 3)
     assert begun[0].seconds > 0.0
     assert {each.seconds for each in begun[1:]} == {None}
@@ -201,7 +201,7 @@ def test_a_directory_in_use_is_refused(tmp_path):
             nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
         tried.append(caught.value)
 
-    nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path, announce=meanwhile)
+    nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path, callback=meanwhile)
     assert tried
 
 

@@ -187,7 +187,7 @@ def test_the_share_beyond_a_limit_and_cpk_of_a_normal_distribution(limit, sign):
     generator, held = np.random.default_rng(4), 0
     for _ in range(200):
         (found,) = capabilities(bound, generator.standard_normal(400))
-        assert found.share == found.beyond / found.samples
+        assert found.fraction == found.beyond / found.samples
         # Of the mean, whose standard error is 1/20, and of the deviation: four of them together, in units of 3 sigma.
         assert found.cpk == pytest.approx(sign * limit / 3.0, abs=4.0 * math.hypot(0.05, limit * 0.05 / 2**0.5) / 3.0)
         held += found.low <= true <= found.high
@@ -200,9 +200,9 @@ def test_the_interval_of_a_share_is_that_of_clopper_and_pearson():
     assert (some.samples, some.beyond) == (100, 1)
     assert (some.low, some.high) == pytest.approx((1.0 - 0.975 ** (1.0 / 100.0), 0.0544594), rel=1e-5)
     (none,) = capabilities(Limit("load", most=6.0), values)
-    assert (none.share, none.low, none.high) == (0.0, 0.0, pytest.approx(1.0 - 0.025 ** (1.0 / 100.0)))
+    assert (none.fraction, none.low, none.high) == (0.0, 0.0, pytest.approx(1.0 - 0.025 ** (1.0 / 100.0)))
     (alike,) = capabilities(Limit("load", least=1.0), np.zeros(5))
-    assert (alike.share, alike.cpk) == (1.0, -math.inf)
+    assert (alike.fraction, alike.cpk) == (1.0, -math.inf)
     assert capabilities(Limit("load", least=1.0), np.full(5, np.nan)) == []
 
 
@@ -210,10 +210,10 @@ def test_limits_are_counted_of_what_is_drawn():
     over, limits = {"load.load": "normal(nominal, 1 kN)"}, {"load": "at most 21.5 kN", "relative_life": "at least 0.1"}
     found = nh.tolerance(CASE, over=over, samples=600, quantities=("load",), limits=limits, workers=1)
     load, life = found.capabilities
-    assert load.share == pytest.approx(0.0668072, abs=0.01)  # of a normal distribution beyond 1.5 sigma
+    assert load.fraction == pytest.approx(0.0668072, abs=0.01)  # of a normal distribution beyond 1.5 sigma
     assert load.low <= 0.0668072 <= load.high
     assert load.cpk == pytest.approx(0.5, abs=0.02)
-    assert load.normal_share == pytest.approx(0.0668072, abs=0.005)
+    assert load.normal_fraction == pytest.approx(0.0668072, abs=0.005)
     assert (life.quantity, life.beyond) == ("relative_life", 0)
     assert found.verdict.level is Level.NOT_MET
     assert found.verdict.sentence == f"Of 400 samples {load.beyond} are beyond the limit of the load, at most 21.5 kN."

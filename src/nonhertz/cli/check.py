@@ -14,7 +14,7 @@ from nonhertz import BearingCase, Case, CaseError, ConvergenceError, InputError,
 from nonhertz.amounts import format_input, mm, mpa
 from nonhertz.bearing.solution import BearingSolution, slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
-from nonhertz.cli.options import NONE, Changes
+from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, rename_fields
 from nonhertz.errors import joined
 from nonhertz.files.keys import unit_of
 from nonhertz.files.planfile import DESIGN, parse_case_or_bearing, parse_design
@@ -139,10 +139,11 @@ def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, A
     if DESIGN in document:
         case, options = parse_design(document, path, changes=changes)
         try:
-            check_design(case, **options)
+            with rename_fields(**DESIGN_NAMES):
+                check_design(case, **options)
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
-        studies.append(f"a design over {', '.join(options['vary'])}")
+        studies.append(f"a design over {', '.join(options['bounds'])}")
     return f"{plan.title!r}, {joined(studies) if studies else 'which varies nothing'}"
 
 

@@ -50,7 +50,7 @@ def compare(
     try:
         with Progress(_METHODS) as progress:
             comparison = methods.compare(
-                read.contact, **read.prescribed.keywords, **options, cells=cells, announce=progress.announce
+                read.contact, **read.prescribed.keywords, **options, cells=cells, callback=progress.announce
             )
     except InputError as error:
         if error.field == "cells":

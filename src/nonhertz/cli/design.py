@@ -13,7 +13,7 @@ import numpy as np
 from nonhertz import Case, InputError
 from nonhertz.amounts import of_dimension
 from nonhertz.cli.answer import Answer
-from nonhertz.cli.options import NONE, Changes, Workers, default_output_path, rename_fields, write_outputs
+from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, Workers, default_output_path, rename_fields, write_outputs
 from nonhertz.cli.printing import progress_bar
 from nonhertz.files.folder import refuse_unwritable
 from nonhertz.files.planfile import read_design
@@ -23,8 +23,7 @@ from nonhertz.plot.drawer import sheets_of
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section, Table, assumed_section
 from nonhertz.show.studies import design_sections
-from nonhertz.study.design import Design, Front, best
-from nonhertz.study.design import front as front_of
+from nonhertz.study.design import Design, Front, optimize, pareto
 from nonhertz.study.figures import design_figures, front_figures
 
 #: Of the loads of a front.
@@ -60,11 +59,11 @@ def design(
     directory = default_output_path(plan, "-design", out)
     refuse_unwritable(directory)
     case, options = read_design(plan, changes)
-    options |= {} if starts is None else {"starts": starts}
+    options |= {} if starts is None else {"n_starts": starts}
     if front is not None:
         return _find_front(case, options, front, workers, directory)
-    with progress_bar("searches") as update, rename_fields(threads="--workers", starts="--starts"):
-        best_design = best(case, **options, workers=workers, announce=update)
+    with progress_bar("searches") as update, rename_fields(**DESIGN_NAMES):
+        best_design = optimize(case, **options, workers=workers, callback=update)
     title = best_design.was.title
     made = write_outputs(
         directory, lambda: _output_texts(best_design, directory), lambda: sheets_of(design_figures(best_design), title)
@@ -104,10 +103,10 @@ def _find_front(case: Case, options: dict[str, Any], points: int, workers: int |
         raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
     if options.get("goal", "pressure") != "pressure":
         raise InputError("goal", options["goal"], "be 'pressure' for a front", "leave it out")
-    with rename_fields(threads="--workers", starts="--starts", points="--front"):
-        front = front_of(
-            case, first=aligned, second=tilted, vary=options.get("vary"), where=options.get("where"), points=points,
-            starts=options.get("starts"), workers=workers,
+    with rename_fields(**DESIGN_NAMES):
+        front = pareto(
+            case, first=aligned, second=tilted, bounds=options.get("bounds"), constraints=options.get("constraints"),
+            points=points, n_starts=options.get("n_starts"), workers=workers,
         )  # fmt: skip
     as_json = partial(as_text, FRONT, front=front)
     texts = {"front.csv": _front_table(front), "front.json": as_json() + "\n"}

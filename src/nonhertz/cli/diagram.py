@@ -27,7 +27,7 @@ def solve_diagram(case: BearingCase, over: str, workers: int | None, out: Path |
     path, values = split_assignment(over, "--over clearance=0:60um", "--over")
     with progress_bar("rows") as update, rename_fields(threads="--workers", over="--over"):
         try:
-            bearing_diagram = diagram(case, path, values, workers=workers, announce=report_rows(update))
+            bearing_diagram = diagram(case, path, values, workers=workers, callback=report_rows(update))
         except UnknownKeyError:
             raise
         except InputError as error:

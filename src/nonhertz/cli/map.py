@@ -79,7 +79,7 @@ def contact_map(
     with rename_fields(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
         fitted_map = map_of(
             read.contact, **pressed, tilt=turned, accuracy=accuracy, element=read.solver.element,
-            announce=progress.announce,
+            callback=progress.announce,
         )  # fmt: skip
     made: tuple[Path, ...] = ()
     if out is not None and out.suffix.lower() == ".csv":

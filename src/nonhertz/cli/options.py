@@ -71,6 +71,10 @@ Scheduler = Annotated[
     Parameter(help="Address of a Dask scheduler whose workers solve the rows, such as tcp://10.0.0.1:8786."),
 ]
 Words = Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)]
+#: Arguments of designs as plan files and options call them.
+DESIGN_NAMES = {
+    "bounds": "vary", "constraints": "where", "n_starts": "--starts", "points": "--front", "threads": "--workers"
+}  # fmt: skip
 Figures = Callable[[], "Mapping[str, Figure]"]
 
 

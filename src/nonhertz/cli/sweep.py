@@ -70,7 +70,7 @@ def sweep_plan(
     study_plan = load_plan(plan, over, quantities, "over", changes)
     directory = default_output_path(plan, "-sweep", out)
     with progress_bar("rows") as update, rename_fields(threads="--workers", over="--over"):
-        results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, announce=report_rows(update))
+        results = sweep(study_plan, out=directory, workers=workers, scheduler=scheduler, callback=report_rows(update))
     write_figures = figure_writer(lambda: sheets_of(sweep_figures(results), results.plan.title))
     made = results.save(directory, write_figures, excel=excel)
     text = partial(as_text, SWEEP, made, sweep=results)

@@ -76,7 +76,7 @@ def study_tolerance(
     with progress_bar("rows") as update, rename_fields(**options):
         study = tolerance(
             study_plan, samples=samples, seed=seed, limits=bounds, out=directory, workers=workers, scheduler=scheduler,
-            announce=report_rows(update),
+            callback=report_rows(update),
         )  # fmt: skip
 
     as_json = partial(as_text, TOLERANCE, tolerance=study, sweep=study.sweep)

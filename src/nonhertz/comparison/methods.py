@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from nonhertz.comparison.quantities import quantities, stations
 from nonhertz.comparison.value import Comparison, Seconds
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.inputs.checks import callback, thread_count
+from nonhertz.inputs.checks import check_callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.patch import solve as solve_patch
 from nonhertz.patch.resources import check_cells
@@ -35,7 +35,7 @@ def compare(
     accuracy: float | None = None,
     accuracy_of: Goal | None = None,
     threads: int | None = None,
-    announce: Callable[[str], object] | None = None,
+    callback: Callable[[str], object] | None = None,
 ) -> Comparison:
     """Solve a contact with strips of both elements and on a plane grid, and compare them.
 
@@ -53,7 +53,7 @@ def compare(
         As in `nonhertz.solve`.
     threads : int, optional
         Threads for the plane grid.
-    announce : callable or None
+    callback : callable or None
         Called with the name of each method before it runs.
 
     Returns
@@ -78,7 +78,7 @@ def compare(
     >>> abs(semi_elliptic) < 1e-3 < abs(parabolic)
     True
     """
-    callback("announce", announce)
+    check_callback(callback)
     if cells is not None:  # checked before the strips are solved
         check_cells(cells)
     if threads is not None:
@@ -87,8 +87,8 @@ def compare(
 
     def timed(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
         """Return an outcome and the median time of ``again`` further runs, or that of the first if there are none."""
-        if announce is not None:
-            announce(name)
+        if callback is not None:
+            callback(name)
         times = []
         try:
             for _ in range(1 + again):

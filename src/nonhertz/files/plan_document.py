@@ -100,10 +100,10 @@ class DesignGoal(Input):
 
     @property
     def keywords(self) -> dict[str, Any]:
-        """What is given: keywords of `nonhertz.design.best`."""
+        """What is given: keywords of `nonhertz.optimize`."""
         model = None if self.model is None else fatigue_model(self.model)
-        keywords = {"goal": self.goal, "model": model, "starts": self.starts, "loads": self._cases or None}
-        return {"where": self.where} | {name: value for name, value in keywords.items() if value is not None}
+        keywords = {"goal": self.goal, "model": model, "n_starts": self.starts, "loads": self._cases or None}
+        return {"constraints": self.where} | {name: value for name, value in keywords.items() if value is not None}
 
     @property
     def _cases(self) -> tuple[ContactLoadCase, ...]:

@@ -415,7 +415,7 @@ def _range_around(template: Template, path: str, value: float, low: float, high:
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
-    """Return the case of a plan and what it says about a design: keywords for `nonhertz.design.best`.
+    """Return the case of a plan and what it says about a design: keywords for `nonhertz.optimize`.
 
     ``changes`` are values in place of those in the file of its case, by path.
 
@@ -444,4 +444,4 @@ def parse_design(
     if not isinstance(case, Case):
         raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
     contents = read_input(PlanDocument, document)
-    return case, {"vary": contents.vary} | contents.design.keywords
+    return case, {"bounds": contents.vary} | contents.design.keywords

@@ -49,7 +49,7 @@ _DEVIATION = r"0|[+-](?:[^-+:,]|e[-+])+"
 _DEVIATIONS = re.compile(rf"\s*(?:(?P<about>.*?)\s+)?(?P<one>{_DEVIATION})\s+(?P<other>{_DEVIATION})")
 _PLUS_MINUS = re.compile(r"(?P<about>.*?)(?:\+-|\+/-|±)(?P<size>[^:,]+)")
 AT_LIMITS = 3.0  # standard deviations at which a normal distribution has the limits of a drawing
-_SHARE_REMEDY = "give shares of all values"
+_PROBABILITY_REMEDY = "give probabilities"
 MOST_VALUES = 10_000
 FARTHEST = 6.0  # standard deviations at which a normal distribution is tried: one sample in 10^9 is beyond
 
@@ -110,22 +110,22 @@ class Distribution:
             remedy = "give lowest and highest within a few standard deviations of the mean"
             raise InputError("within", self.within, "ascend and hold part of the distribution", remedy)
 
-    def quantile(self, share: ArrayLike) -> Array:
-        """Return the values below which shares of all values lie.
+    def quantile(self, probability: ArrayLike) -> Array:
+        """Return the values below which others lie with some probability.
 
         Parameters
         ----------
-        share : array_like
+        probability : array_like
             From 0 to 1.
 
         Raises
         ------
         InputError
-            If a share lies outside.
+            If a probability lies outside.
         """
-        u = numbers("share", share, _SHARE_REMEDY)
+        u = numbers("probability", probability, _PROBABILITY_REMEDY)
         if not np.all((u >= 0.0) & (u <= 1.0)):
-            raise InputError("share", share, "lie between 0 and 1", _SHARE_REMEDY)
+            raise InputError("probability", probability, "lie between 0 and 1", _PROBABILITY_REMEDY)
         from scipy import stats
 
         first, last = self.numbers[0], self.numbers[-1]

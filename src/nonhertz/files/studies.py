@@ -93,7 +93,7 @@ DIAGRAM: Final = (
 
 _CERTAIN: Final = "with 95 % certainty"
 _QUANTILE: Final = (
-    Key("share", "share of all results below it"),
+    Key("share", "share of all results below it", get="probability"),
     Key("value", "the estimate; null without samples"),
     Key("low", f"the true one is above, {_CERTAIN}; null where there are too few samples to say"),
     Key("high", f"the true one is below, {_CERTAIN}; null where there are too few samples to say"),
@@ -104,7 +104,7 @@ _CAPABILITY: Final = (
     Key("limit", "the limit"),
     Key("samples", "number of samples", holds="integer"),
     Key("beyond", "how many of them are beyond the limit", holds="integer"),
-    Key("share", "the share beyond"),
+    Key("share", "the share beyond", get="fraction"),
     Key("low", f"the true share is above, {_CERTAIN}"),
     Key("high", f"the true share is below, {_CERTAIN}"),
     Key("mean", "mean of the samples"),

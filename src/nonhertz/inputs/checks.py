@@ -107,10 +107,10 @@ def text(field: str, value: object, remedy: str) -> None:
         raise InputError(field, value, "be text", remedy)
 
 
-def callback(field: str, value: object) -> None:
+def check_callback(value: object) -> None:
     """Refuse anything that is neither None nor callable."""
     if value is not None and not callable(value):
-        raise InputError(field, value, "be a function", "give a function, or leave it out")
+        raise InputError("callback", value, "be a function", "give a function, or leave it out")
 
 
 def check_list(field: str, value: Iterable[Any], condition: str, remedy: str) -> list[Any]:

@@ -165,7 +165,7 @@ def assess(
     contact_angle : float, optional
         That of the bearing [rad], without which tapered rollers have no absolute life; see `nonhertz.life.raceway`.
     **options
-        ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
+        ``threads`` and ``callback`` as in `nonhertz.subsurface.stress`.
 
     Returns
     -------

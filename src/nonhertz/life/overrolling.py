@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import callback, flag, not_negative, positive, whole
+from nonhertz.inputs.checks import check_callback, flag, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
 from nonhertz.life.volume import Exposure, depths, exposure, integrate_over_depth, levels
@@ -181,7 +181,7 @@ def overrolled(
     body: BodyName = "a",
     cell: float | None = None,
     reach: float = REACH,
-    announce: Callable[[int, int], object] | None = None,
+    callback: Callable[[int, int], object] | None = None,
 ) -> Overrolled:
     """Roll a dent in a raceway through a contact, and return what its surroundings go through.
 
@@ -198,7 +198,7 @@ def overrolled(
         shoulder and a 20th of the half-width.
     reach : float
         How far the surroundings reach beyond the rim of the dent, in half-widths.
-    announce : callable, optional
+    callback : callable, optional
         Called with the number of positions done, and that expected.
 
     Returns
@@ -232,7 +232,7 @@ def overrolled(
     check_body(body)
     contact, half_width = check_solution(solution).contact, solution.max_half_width
     _refuse_place(solution, dent)
-    callback("announce", announce)
+    check_callback(callback)
     least = min(dent.diameter, half_width)
     usual = min(dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT)
     if dent.shoulder > 0.0:
@@ -250,7 +250,7 @@ def overrolled(
     coarse = [finding("coarse-cells", words, side=mm(side), usual=mm(usual))] if side > usual else []
     with without_accuracy_warnings():
         smooth, options = _grid(solution, dent, side)
-        passed = _solve_passage(smooth, options, dent, announce)
+        passed = _solve_passage(smooth, options, dent, callback)
     around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
     differences = {place: patch.pressure - smooth.pressure for place, patch in passed.items()}
     places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
@@ -306,7 +306,7 @@ def _grid(solution: Solved, dent: Dent, side: float) -> tuple[PatchSolution, dic
 
 
 def _solve_passage(
-    smooth: PatchSolution, options: dict[str, Any], dent: Dent, announce: Callable[[int, int], object] | None
+    smooth: PatchSolution, options: dict[str, Any], dent: Dent, callback: Callable[[int, int], object] | None
 ) -> dict[int, PatchSolution]:
     """Return the solutions with the dent at all positions, in cells from the middle, where it changes the pressure."""
     solutions = dict[int, PatchSolution]()
@@ -318,8 +318,8 @@ def _solve_passage(
             break
         solutions[-place] = replace(solution, pressure=solution.pressure[::-1], gap=solution.gap[::-1])
         solutions[place] = solution
-        if announce is not None:
-            announce(place + 1, max(expected, place + 1))
+        if callback is not None:
+            callback(place + 1, max(expected, place + 1))
     return solutions
 
 

@@ -136,7 +136,7 @@ def exposure(solution: Solved, *, body: BodyName = "a", **options: Unpack[Runnin
     body : {"a", "b"}
         The body that fatigues.
     **options
-        ``threads`` and ``announce`` as in `nonhertz.subsurface.stress`.
+        ``threads`` and ``callback`` as in `nonhertz.subsurface.stress`.
 
     Returns
     -------

@@ -77,7 +77,7 @@ class Building:
 
 
 def build_surfaces(
-    building: Building, shape: Shape, relief: Relief, accuracy: float, announce: Callable[[str], None]
+    building: Building, shape: Shape, relief: Relief, accuracy: float, callback: Callable[[str], None]
 ) -> dict[str, Any]:
     """Solve, fit, check and refine until load and moment are accurate enough or refinement no longer helps.
 
@@ -107,7 +107,7 @@ def build_surfaces(
 
     while True:
         load, tilt = _new_nodes(shape, known)
-        announce(f"{load.size + (samples.load.size if samples else 0)} cases")
+        callback(f"{load.size + (samples.load.size if samples else 0)} cases")
         fresh = building.sample(load, tilt)
         failed += load.size - fresh.load.size
         samples = samples.joined(fresh) if samples else fresh

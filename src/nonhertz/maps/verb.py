@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.findings import warn
-from nonhertz.inputs.checks import callback, finite, number_that, numbers, thread_count, whole
+from nonhertz.inputs.checks import check_callback, finite, number_that, numbers, thread_count, whole
 from nonhertz.maps.build import FIRST_CELLS, Building, build_surfaces
 from nonhertz.maps.fitting import Shape
 from nonhertz.maps.touch import Relief
@@ -47,7 +47,7 @@ def contact_map(
     stations: int | ArrayLike = STATIONS,
     threads: int | None = None,
     checks: int = CHECKS,
-    announce: Callable[[str], None] | None = None,
+    callback: Callable[[str], None] | None = None,
 ) -> ContactMap:
     """Return a stand-in for a contact over approach and tilt, or load and tilt.
 
@@ -74,7 +74,7 @@ def contact_map(
         As in `nonhertz.solve_many`; the map does not depend on it.
     checks : int
         Number of points, not used to build the map, at which errors are sampled.
-    announce : callable, optional
+    callback : callable, optional
         Called with a few words on the progress before each round of solving.
 
     Returns
@@ -106,7 +106,7 @@ def contact_map(
     >>> round(stiffness.at(approach=0.01, tilt=0.0).load, -2)
     4000.0
     """
-    callback("announce", announce)
+    check_callback(callback)
     if not isinstance(contact, Contact):
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     thread_count(threads)
@@ -118,7 +118,7 @@ def contact_map(
     ends = float(relief.y[0]), float(relief.y[-1])
     building = replace(building, stations=_stations(stations, ends))
     shape = _shape(relief, max_load, rise, tilts)
-    surfaces = build_surfaces(building, shape, relief, accuracy, announce or (lambda _: None))
+    surfaces = build_surfaces(building, shape, relief, accuracy, callback or (lambda _: None))
     bodies = f"{brief.body_line(contact.a)} against {brief.body_line(contact.b)}"
     made = ContactMap(
         description=f"{bodies}, {building.element.name} strips",

@@ -148,7 +148,7 @@ def assessed(
                 body=body,
                 rollers=case.life.rollers,
                 contact_angle=case.life.contact_angle,
-                announce=_announcer(announce, body, len(spectrum)),
+                callback=_announcer(announce, body, len(spectrum)),
             )
         settings = replace(case.life, models=tuple(model.name for model in models))
         of_models = collect_assumptions({"life": settings}, None if case.origin is None else case.origin.document)

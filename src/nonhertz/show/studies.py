@@ -185,7 +185,7 @@ def _quantiles(study: Tolerance, spread: Sequence[Quantity]) -> Table:
         for k, quantile in enumerate(quantiles):
             low, value, high = texts[3 * k : 3 * k + 3]
             between = f"{low} to {high}" if math.isfinite(quantile.low + quantile.high) else "too few samples to say"
-            rows.append((label, f"{100.0 * quantile.share:g} %", value, unit, between))
+            rows.append((label, f"{100.0 * quantile.probability:g} %", value, unit, between))
             label = ""
     return Table(rows, ("", "share", "below", "", "95 % certain between"), (0, 3, 4))
 
@@ -197,7 +197,7 @@ def _capabilities(study: Tolerance) -> Table:
         quantity = labels[capability.quantity]
         share, low, high, normal = (
             f"{format_input(100.0 * number, 2)} %"
-            for number in (capability.share, capability.low, capability.high, capability.normal_share)
+            for number in (capability.fraction, capability.low, capability.high, capability.normal_fraction)
         )
         limit = f"{capability.kind} {quantity.amount(capability.limit):g}"
         rows.append((quantity.label, limit, share, f"{low} to {high}", f"{capability.cpk:.2f}", normal))

@@ -16,13 +16,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.findings import warn
-from nonhertz.inputs.checks import callback, thread_count
+from nonhertz.inputs.checks import check_callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.native import core
 from nonhertz.solver.blocks import list_contacts
 from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
-from nonhertz.solver.portions import Portion, Run, Task, Work
+from nonhertz.solver.portions import Chunk, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
 
@@ -46,7 +46,7 @@ def solve_many(
     accuracy: float | None = None,
     accuracy_of: Goal | None = None,
     threads: int | None = None,
-    announce: Callable[[Portion], object] | None = None,
+    callback: Callable[[Chunk], object] | None = None,
 ) -> Solutions:
     """Press the bodies of many contacts together, or those of one contact in many ways.
 
@@ -67,9 +67,9 @@ def solve_many(
         As in `nonhertz.solve`, for all cases.
     threads : int, optional
         Number of threads; all cores if left out. The results do not depend on it.
-    announce : callable, optional
-        Called in the caller's thread with a `Portion` of a few dozen cases whenever the next one is finished, in an
-        order that does not depend on ``threads``: for progress, ``announce=print`` is enough. Whatever it raises stops
+    callback : callable, optional
+        Called in the caller's thread with a `Chunk` of a few dozen cases whenever the next one is finished, in an
+        order that does not depend on ``threads``: for progress, ``callback=print`` is enough. Whatever it raises stops
         the run.
 
     Returns
@@ -109,10 +109,10 @@ def solve_many(
     >>> bool(solutions[2].max_pressure == solutions.max_pressure[2])
     True
     """
-    callback("announce", announce)
+    check_callback(callback)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
     shape, tasks = _lay_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    solutions, findings = Run(shape, tuple(_group_tasks(tasks)), thread_count(threads)).outcome(announce)
+    solutions, findings = Run(shape, tuple(_group_tasks(tasks)), thread_count(threads)).outcome(callback)
     warn(findings)
     return solutions
 

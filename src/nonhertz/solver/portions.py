@@ -34,8 +34,8 @@ NOT_SOLVED = "The case was not solved: the run was stopped before it was its tur
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Portion:
-    """Cases that `nonhertz.solve_many` has finished, as it passes them to ``announce``.
+class Chunk:
+    """Cases that `nonhertz.solve_many` has finished, as it passes them to ``callback``.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Portion:
         return f"{self.done} of {self.total} cases finished"
 
     @classmethod
-    def of(cls, blocks: list[Block], done: int, total: int) -> Portion:
+    def of(cls, blocks: list[Block], done: int, total: int) -> Chunk:
         """Return the cases of some blocks."""
         numbers = np.sort(np.concatenate([block.numbers for block in blocks])).astype(np.intp)
         return cls(freeze(numbers), done, total, tuple(blocks))
@@ -164,8 +164,8 @@ class Run:
         self._shape, self._works, self._threads = shape, works, threads
         self._futures: list[Future[list[Block]]] = []
 
-    def _finished(self, announce: Callable[[Portion], object] | None) -> Solutions:
-        """Solve all portions, announce each, and return the solutions of all."""
+    def _finished(self, callback: Callable[[Chunk], object] | None) -> Solutions:
+        """Solve all portions, report each, and return the solutions of all."""
         stop, total, done = core.Stop(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
         try:
@@ -174,8 +174,8 @@ class Run:
             for future, work in zip(self._futures, self._works, strict=True):
                 blocks = future.result()
                 done += len(work)
-                if announce is not None:
-                    announce(Portion.of(blocks, done, total))
+                if callback is not None:
+                    callback(Chunk.of(blocks, done, total))
         finally:
             stop.set()
             pool.shutdown(wait=False, cancel_futures=True)
@@ -184,7 +184,7 @@ class Run:
                 wait([future for future in self._futures if not future.cancelled()], PATIENCE)
         return self._so_far()
 
-    def outcome(self, announce: Callable[[Portion], object] | None) -> tuple[Solutions, tuple[Finding, ...]]:
+    def outcome(self, callback: Callable[[Chunk], object] | None) -> tuple[Solutions, tuple[Finding, ...]]:
         """Return the solutions of all portions, and what is to be warned of.
 
         Raises
@@ -193,7 +193,7 @@ class Run:
             On Ctrl-C.
         """
         try:
-            solutions = self._finished(announce)
+            solutions = self._finished(callback)
             return solutions, tuple(solutions.findings())
         except KeyboardInterrupt:
             raise self._interrupted() from None

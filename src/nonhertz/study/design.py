@@ -23,22 +23,18 @@ from nonhertz.files.free_forms import parse_free_form
 from nonhertz.files.planfile import Template, read_design
 from nonhertz.files.spreads import parse_bounds
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import callback, one_of, thread_count, whole
-from nonhertz.lazy import dir_of
+from nonhertz.inputs.checks import check_callback, one_of, thread_count, whole
 from nonhertz.life import ContactLoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
 from nonhertz.result.brief import plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.study.limits import Limit, limits_in
+from nonhertz.study.limits import limits_in
 from nonhertz.study.objective import GOALS, LIFE, PRESSURE, DesignPoint, Task, Variable, try_point
 from nonhertz.study.search import Search, search_from
 from nonhertz.study.workers import LostError, Workers
 from nonhertz.verdict import Verdict, judge_loads, judge_rows
-
-__all__ = ["Band", "Design", "Front", "Limit", "Start", "best", "front"]
-__dir__ = dir_of(__name__)
 
 Array = NDArray[np.float64]
 Portions = Callable[..., Iterator[tuple[Any, Any]]]
@@ -206,17 +202,17 @@ class Front(HasFindings):
         )
 
 
-def best(
+def optimize(
     case: Case | str | Path,
     *,
-    vary: Mapping[str, Any] | None = None,
+    bounds: Mapping[str, Any] | None = None,
     goal: str | None = None,
     loads: Sequence[ContactLoadCase] | None = None,
-    where: Mapping[str, Any] | None = None,
+    constraints: Mapping[str, Any] | None = None,
     model: Model | None = None,
-    starts: int | None = None,
+    n_starts: int | None = None,
     workers: int | None = None,
-    announce: Callable[[int, int], object] | None = None,
+    callback: Callable[[int, int], object] | None = None,
 ) -> Design:
     """Find the dimensions with which a contact has the lowest peak pressure, or the longest life.
 
@@ -224,7 +220,7 @@ def best(
     ----------
     case : Case or str or Path
         The case, or the file of a plan that names it and holds the other arguments; those given here come first.
-    vary : mapping
+    bounds : mapping
         Lowest and highest value of every path that may be chosen, such as ``{"body.a.profile.drop": "2 um : 60 um"}``;
         of a profile as a whole ``"free(60 um, 8)"``: one that only grows from the middle to both ends, by at most so
         much, in so many steps.
@@ -232,16 +228,16 @@ def best(
         The lowest peak pressure under any load (the default), or the longest life under all of them.
     loads : sequence of ContactLoadCase, optional
         The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
-    where : mapping, optional
+    constraints : mapping, optional
         What must hold under every load, such as ``{"approach": "at most 30 um"}``, for quantities of a solution.
     model : Model, optional
         The fatigue model of lives; Lundberg and Palmgren's if left out. One without a limit.
-    starts : int
+    n_starts : int
         Number of searches, 5 if left out: one from the case as it is, if it lies within the bounds, the others spread
         between them.
     workers : int, optional
         Number of processes; all cores if left out. The result does not depend on it.
-    announce : callable, optional
+    callback : callable, optional
         Called with how many searches have ended, and how many there are.
 
     Returns
@@ -260,12 +256,12 @@ def best(
     >>> import nonhertz as nh
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
     >>> case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 20e3, "tilt": 0.5e-3}, {"strips": 41})
-    >>> found = best(case, vary={"body.a.profile.radius": (2e3, 2e4)}, starts=2, workers=1)
-    >>> found.value < found.before, found.agreeing
+    >>> design = optimize(case, bounds={"body.a.profile.radius": (2e3, 2e4)}, n_starts=2, workers=1)
+    >>> design.value < design.before, design.agreeing
     (True, 2)
     """
-    callback("announce", announce)
-    task, count = check_design(case, vary, goal, loads, where, model, starts)
+    check_callback(callback)
+    task, count = check_design(case, bounds, goal, loads, constraints, model, n_starts)
     begins = find_starts(task, count)
     was = task.template.case({})
     assert isinstance(was, Case)
@@ -277,21 +273,21 @@ def best(
         searches = [(number, task, x) for number, x in enumerate(begins)]
         for (number, _, _), search in solving.portions(search_from, searches, processes):
             ended[number] = search
-            if announce is not None:
-                announce(len(ended), len(begins))
+            if callback is not None:
+                callback(len(ended), len(begins))
         portions = partial(solving.portions, processes=processes)
         return _summarize(task, was, before, [ended[number] for number in sorted(ended)], portions)
 
 
-def front(
+def pareto(
     case: Case | str | Path,
     *,
     first: Sequence[ContactLoadCase],
     second: Sequence[ContactLoadCase],
-    vary: Mapping[str, Any] | None = None,
-    where: Mapping[str, Any] | None = None,
+    bounds: Mapping[str, Any] | None = None,
+    constraints: Mapping[str, Any] | None = None,
     points: int = POINTS,
-    starts: int | None = None,
+    n_starts: int | None = None,
     workers: int | None = None,
 ) -> Front:
     """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
@@ -302,8 +298,8 @@ def front(
 
     Parameters
     ----------
-    case, vary, where, starts, workers
-        As in `best`.
+    case, bounds, constraints, n_starts, workers
+        As in `optimize`.
     first, second : sequence of ContactLoadCase
         The groups; their shares have no effect.
     points : int
@@ -316,16 +312,18 @@ def front(
     Raises
     ------
     CaseError, InputError
-        As `best`.
+        As `optimize`.
     """
     points = whole("points", points, 3, MOST_POINTS, "give the number of points")
     checked_groups = check_cases("first", first, ContactLoadCase), check_cases("second", second, ContactLoadCase)
     groups = [[replace(load, share=1.0 / len(group)) for load in group] for group in checked_groups]
     ends = [
-        best(case, vary=vary, goal=PRESSURE, loads=group, where=where, starts=starts, workers=workers)
+        optimize(
+            case, bounds=bounds, goal=PRESSURE, loads=group, constraints=constraints, n_starts=n_starts, workers=workers
+        )
         for group in groups
     ]
-    base, _ = check_design(case, vary, PRESSURE, groups[0], where, None, starts)
+    base, _ = check_design(case, bounds, PRESSURE, groups[0], constraints, None, n_starts)
     every = (*groups[0], *groups[1])
     free, capped = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest_pressure(ends[0].case, groups[1])
@@ -418,21 +416,28 @@ def _shares_as_is(task: Task) -> Array | None:
 
 def check_design(
     case: object,
-    vary: Mapping[str, Any] | None = None,
+    bounds: Mapping[str, Any] | None = None,
     goal: str | None = None,
     loads: Sequence[ContactLoadCase] | None = None,
-    where: Mapping[str, Any] | None = None,
+    constraints: Mapping[str, Any] | None = None,
     model: Model | None = None,
-    starts: int | None = None,
+    n_starts: int | None = None,
 ) -> tuple[Task, int]:
-    """Return what `best` is asked for, and from how many starts; refuse what it refuses before it solves anything."""
+    """Return the task of `optimize` and the number of starts; refuse what it refuses before it solves anything."""
     plan: dict[str, Any] = {}
     if isinstance(case, str | Path):
         case, plan = read_design(case)
     if not isinstance(case, Case):
         remedy = "read one with nonhertz.read_case; a bearing is swept over"
         raise InputError("case", case, "be a case of a single contact", remedy)
-    arguments = {"vary": vary, "goal": goal, "loads": loads, "where": where, "model": model, "starts": starts}
+    arguments: dict[str, Any] = {
+        "bounds": bounds,
+        "goal": goal,
+        "loads": loads,
+        "constraints": constraints,
+        "model": model,
+    }
+    arguments |= {"n_starts": n_starts}
     plan |= {name: value for name, value in arguments.items() if value is not None}
     template = Template(case.document, case.path, is_bearing=False)
     chosen = plan.get("goal", PRESSURE)
@@ -444,13 +449,13 @@ def check_design(
         damage(fatigue)  # refuses models with a limit
     task = Task(
         template,
-        _variables(template, plan.get("vary", {})),
+        _variables(template, plan.get("bounds", {})),
         _loads(case, plan.get("loads")),
         chosen,
         fatigue,
-        limits_in(_mapping("where", plan.get("where", {})), QUANTITIES),
+        limits_in(_mapping("constraints", plan.get("constraints", {})), QUANTITIES),
     )
-    return task, whole("starts", plan.get("starts", STARTS), 1, MOST_STARTS, "give the number of searches")
+    return task, whole("n_starts", plan.get("n_starts", STARTS), 1, MOST_STARTS, "give the number of searches")
 
 
 def _mapping(name: str, value: object) -> Mapping[str, Any]:
@@ -459,9 +464,9 @@ def _mapping(name: str, value: object) -> Mapping[str, Any]:
     return value
 
 
-def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
+def _variables(template: Template, bounds: object) -> tuple[Variable, ...]:
     variables: list[Variable] = []
-    for path, text in _mapping("vary", vary).items():
+    for path, text in _mapping("bounds", bounds).items():
         which = template.find_varied(path, text)
         form = parse_free_form(path, text)
         if form is not None:
@@ -476,7 +481,7 @@ def _variables(template: Template, vary: object) -> tuple[Variable, ...]:
                 remedy = "change these bounds, or what the case holds beside them"
                 raise InputError(path, text, condition, remedy) from None
     if not variables:
-        raise InputError("vary", vary, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
+        raise InputError("bounds", bounds, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
     return tuple(variables)
 
 
@@ -502,12 +507,16 @@ def _summarize(
     if not good:
         why = next((search.failure for search in searches if isinstance(search, Search)), "no process came back")
         paths = ", ".join(dict.fromkeys(search.path for search in task.variables))
-        raise InputError("vary", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads")
+        raise InputError(
+            "bounds", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads"
+        )
     if not met:
         nearest = max(good, key=lambda search: search.least_margin)
         names = ", ".join(limit.name for limit in task.limits) or "bounds of free profiles"
         short = f"by {100.0 * -nearest.least_margin:.3g} %"
-        raise InputError("where", names, f"be possible, but every start falls short, {short} at least", "relax a limit")
+        raise InputError(
+            "constraints", names, f"be possible, but every start falls short, {short} at least", "relax a limit"
+        )
     chosen = min(met, key=lambda search: search.value)
     judged = task.at(chosen.ended)
     reference = before.damage if before is not None and task.goal == LIFE else math.nan

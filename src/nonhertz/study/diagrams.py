@@ -179,7 +179,7 @@ def diagram(
     values: str | Sequence[float],
     *,
     workers: int | None = None,
-    announce: Callable[[Progress], object] | None = None,
+    callback: Callable[[Progress], object] | None = None,
 ) -> Diagram:
     """Solve a bearing for many values of one input.
 
@@ -193,7 +193,7 @@ def diagram(
     values : str or sequence of float
         Its values: a range such as ``"0 : 60 um"``, with 41 values if the number is left out (``"0 : 60 um : 21"``), or
         numbers in the base unit.
-    workers, announce
+    workers, callback
         As of `nonhertz.sweep`; by slices one process if left out.
 
     Returns
@@ -230,7 +230,7 @@ def diagram(
     names = tuple(name for names in SHOWN for name in names if name in QUANTITIES)
     if isinstance(values, str) and values.count(":") == 1:
         values = f"{values} : {POINTS}"
-    rows = sweep(plan, over={_path(over, plan): values}, quantities=names, workers=workers, announce=announce)
+    rows = sweep(plan, over={_path(over, plan): values}, quantities=names, workers=workers, callback=callback)
     made = Diagram(rows)
     if not made.quantities:
         reason = next((why for why, _, _ in rows.reasons()), "no row has a number")

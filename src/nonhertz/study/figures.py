@@ -106,7 +106,7 @@ def _figure(name: str, panels: Sequence[Panel], caption: str) -> dict[str, Figur
 
 
 def _distribution(tolerance: Tolerance, quantity: Quantity) -> Panel:
-    ends = {quantile.share: (quantile.low, quantile.high) for quantile in tolerance.quantiles(quantity.name)}
+    ends = {quantile.probability: (quantile.low, quantile.high) for quantile in tolerance.quantiles(quantity.name)}
     certain = {share: interval for share, interval in ends.items() if np.all(np.isfinite(interval))}
     limits = [capability.limit for capability in tolerance.capabilities if capability.quantity == quantity.name]
     return distribution(axis_of(quantity), tolerance.samples(quantity.name), certain, limits)

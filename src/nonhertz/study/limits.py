@@ -91,8 +91,8 @@ class Capability:
         The limit, in the base unit of the quantity.
     samples, beyond : int
         How many samples there are, and how many of them lie beyond the limit.
-    share, low, high : float
-        The share beyond, and between which shares the true one lies with 95 % certainty whatever the distribution:
+    fraction, low, high : float
+        The fraction beyond, and between which the true one lies with 95 % certainty whatever the distribution:
         Clopper and Pearson's interval.
     mean, deviation : float
         Mean and standard deviation of the samples, in the base unit.
@@ -113,7 +113,7 @@ class Capability:
     limit: float
     samples: int
     beyond: int
-    share: float
+    fraction: float
     low: float
     high: float
     mean: float
@@ -121,8 +121,8 @@ class Capability:
     cpk: float
 
     @property
-    def normal_share(self) -> float:
-        """The share that would lie beyond if the quantity were normally distributed."""
+    def normal_fraction(self) -> float:
+        """The fraction that would lie beyond if the quantity were normally distributed."""
         from scipy.stats import norm
 
         return float(norm.sf(3.0 * self.cpk))
@@ -149,7 +149,9 @@ def capabilities(limit: Limit, values: NDArray[np.float64]) -> list[Capability]:
         certain = binomtest(beyond, numbers.size).proportion_ci(CERTAINTY, method="exact")
         margin = sign * (mean - bound)
         cpk = margin / (3.0 * deviation) if deviation > 0.0 else math.copysign(math.inf, margin)
-        share, low, high = beyond / numbers.size, float(certain.low), float(certain.high)
+        fraction, low, high = beyond / numbers.size, float(certain.low), float(certain.high)
         kind = "at most" if sign < 0.0 else "at least"
-        rows.append(Capability(limit.name, kind, bound, numbers.size, beyond, share, low, high, mean, deviation, cpk))
+        rows.append(
+            Capability(limit.name, kind, bound, numbers.size, beyond, fraction, low, high, mean, deviation, cpk)
+        )
     return rows

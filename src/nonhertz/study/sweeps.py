@@ -27,7 +27,7 @@ from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.findings import Finding
-from nonhertz.inputs.checks import callback, thread_count
+from nonhertz.inputs.checks import check_callback, thread_count
 from nonhertz.result.brief import plain_text, shorten
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
@@ -53,7 +53,7 @@ Portion = tuple[int, list[int], list[tuple[Any, ...]]]  # its number, those of i
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a study has come, as it is passed to ``announce``.
+    """How far a study has come, as it is passed to ``callback``.
 
     Attributes
     ----------
@@ -286,7 +286,7 @@ def sweep(
     out: str | Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
-    announce: Callable[[Progress], object] | None = None,
+    callback: Callable[[Progress], object] | None = None,
 ) -> Sweep:
     """Solve a case or a bearing for many values of its inputs.
 
@@ -308,7 +308,7 @@ def sweep(
         Number of processes; all cores if left out. The results do not depend on it.
     scheduler : str, optional
         Address of a Dask scheduler whose workers solve the rows in place of processes on this machine.
-    announce : callable, optional
+    callback : callable, optional
         Called with a `Progress` before the first row and whenever a portion of rows is there.
 
     Returns
@@ -336,7 +336,7 @@ def sweep(
     >>> found.shape, found["max_pressure"][3].round(-1)
     ((4, 2), array([2090., 1990.]))
     """
-    callback("announce", announce)
+    check_callback(callback)
     study = make_plan(plan, over, samples, quantities)
     points = Points.of(study)
     numbers = choose_quantities(study.quantities, bearing=study.template.is_bearing)
@@ -365,17 +365,17 @@ def sweep(
             stack.callback(store.release)
             processes = 1 if len(points) - len(store) <= most else processes
             solve, count, seconds = partial(_solve_portion, work, points.paths), len(points) - len(store), None
-            if announce is not None:
+            if callback is not None:
                 if count >= WORTH_TIMING and scheduler is None:
                     first = next(missing)
                     seconds, missing = count * _seconds_per_row(solve, first) / processes, chain([first], missing)
-                announce(replace(progress, seconds=seconds))
+                callback(replace(progress, seconds=seconds))
             for portion, solved in solving.portions(solve, missing, processes):
                 lost = [Row((math.nan,) * len(numbers), str(solved))] * len(portion[1])
                 store.add(*portion, lost if isinstance(solved, LostError) else solved)
                 progress = replace(progress, done=progress.done + len(portion[1]))
-                if announce is not None:
-                    announce(progress)
+                if callback is not None:
+                    callback(progress)
     except KeyboardInterrupt:
         hint = "" if directory is None else f", which are kept in {directory}; the same call continues from there"
         raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{hint}.", result) from None

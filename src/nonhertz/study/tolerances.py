@@ -52,7 +52,7 @@ from nonhertz.verdict import Level, Verdict
 
 Array = NDArray[np.float64]
 
-SHARES = (0.01, 0.5, 0.99)
+PROBABILITIES = (0.01, 0.5, 0.99)
 FEWEST_BLOCKS = 8  # of indices: fewer cannot be resampled
 SEED, RESAMPLED = 1, 400  # of resampling
 #: What a study is made for where it names no quantities: pressure and life.
@@ -63,19 +63,19 @@ WORTH_TIGHTENING = 0.02  # of the variance, in total: a smaller share is not fel
 
 @dataclass(frozen=True)
 class Quantile:
-    """The value below which a share of all results lies.
+    """The value below which a result lies with a probability.
 
     Attributes
     ----------
-    share : float
-        The share.
+    probability : float
+        The probability, above 0 and below 1.
     value : float
         The estimate; nan without samples.
     low, high : float
         Between these the true value lies with 95 % certainty; infinite where there are too few samples to say.
     """
 
-    share: float
+    probability: float
     value: float
     low: float
     high: float
@@ -152,14 +152,14 @@ class Tolerance:
         """
         return np.asarray(self.sweep[name], dtype=float)[self.independent]
 
-    def quantiles(self, name: str, shares: ArrayLike = SHARES) -> tuple[Quantile, ...]:
+    def quantiles(self, name: str, probabilities: ArrayLike = PROBABILITIES) -> tuple[Quantile, ...]:
         """Return quantiles of a quantity, of the rows that have not failed.
 
         Parameters
         ----------
         name : str
             The quantity.
-        shares : array_like
+        probabilities : array_like
             Above 0 and below 1.
 
         Raises
@@ -167,11 +167,11 @@ class Tolerance:
         KeyError
             If the rows have no such quantity.
         InputError
-            If a share is not between 0 and 1.
+            If a probability is not between 0 and 1.
         """
-        wanted = np.atleast_1d(numbers("shares", shares, "give shares of all results"))
+        wanted = np.atleast_1d(numbers("probabilities", probabilities, "give probabilities"))
         if not np.all((wanted > 0.0) & (wanted < 1.0)) or wanted.ndim > 1:
-            raise InputError("shares", shares, "lie above 0 and below 1", "give shares of all results")
+            raise InputError("probabilities", probabilities, "lie above 0 and below 1", "give probabilities")
         values = self.samples(name)
         return tuple(quantile(values[np.isfinite(values)], share) for share in wanted.tolist())
 
@@ -245,26 +245,26 @@ def is_operating_load(path: str) -> bool:
     return section == "load" and not name.startswith("tilt")
 
 
-def quantile(values: Array, share: float) -> Quantile:
+def quantile(values: Array, probability: float) -> Quantile:
     """Return a quantile of independent numbers, with its interval.
 
     Parameters
     ----------
     values : ndarray, shape (n,)
         Finite numbers.
-    share : float
+    probability : float
         Above 0 and below 1.
     """
     from scipy.stats import binom
 
     if not values.size:
-        return Quantile(share, math.nan, -math.inf, math.inf)
+        return Quantile(probability, math.nan, -math.inf, math.inf)
     ordered, beyond = np.sort(values), 0.5 * (1.0 - CERTAINTY)
     # Of n numbers, those below the quantile are binomial.
-    low, high = (int(binom.ppf(bound, values.size, share)) for bound in (beyond, 1.0 - beyond))
+    low, high = (int(binom.ppf(bound, values.size, probability)) for bound in (beyond, 1.0 - beyond))
     bounds = np.concatenate([[-np.inf], ordered, [np.inf]])
-    value = float(np.quantile(ordered, share, method="median_unbiased"))
-    return Quantile(share, value, float(bounds[low]), float(bounds[min(high + 1, values.size + 1)]))
+    value = float(np.quantile(ordered, probability, method="median_unbiased"))
+    return Quantile(probability, value, float(bounds[low]), float(bounds[min(high + 1, values.size + 1)]))
 
 
 def sobol_indices(paths: Sequence[str], blocks: Array) -> tuple[Index, ...]:
@@ -315,7 +315,7 @@ def tolerance(
     out: str | Path | None = None,
     workers: int | None = None,
     scheduler: str | None = None,
-    announce: Callable[[Progress], object] | None = None,
+    callback: Callable[[Progress], object] | None = None,
 ) -> Tolerance:
     """Solve a case or a bearing for samples of its dimensions and loads, and find what they do to the results.
 
@@ -333,7 +333,7 @@ def tolerance(
     limits : mapping, optional
         What quantities are to stay within, such as ``{"max_pressure": "at most 3800 MPa"}``; those of the plan if left
         out. They become quantities of the rows.
-    quantities, out, workers, scheduler, announce
+    quantities, out, workers, scheduler, callback
         As in `nonhertz.sweep`.
 
     Returns
@@ -372,7 +372,7 @@ def tolerance(
     usual = [quantity.name for quantity in choose_quantities(names, bearing=study.template.is_bearing)]
     rows = tuple(dict.fromkeys([*usual, *(limit.name for limit in bounds)]))
     study = study.changed(samples=drawn, quantities=rows)
-    return Tolerance(sweep(study, out=out, workers=workers, scheduler=scheduler, announce=announce), bounds, names)
+    return Tolerance(sweep(study, out=out, workers=workers, scheduler=scheduler, callback=callback), bounds, names)
 
 
 def check_limits(plan: Plan) -> tuple[Limit, ...]:

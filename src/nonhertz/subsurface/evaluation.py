@@ -16,14 +16,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import broadcast, callback, finite, flag, numbers, thread_count, whole
+from nonhertz.inputs.checks import broadcast, check_callback, finite, flag, numbers, thread_count, whole
 from nonhertz.model.body import BodyName
 from nonhertz.result.solution import Solved
 from nonhertz.subsurface.field import Field
 from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, check_body, check_solution
 
 Array = NDArray[np.float64]
-Announce = Callable[[int, int], object]
+Callback = Callable[[int, int], object]
 
 PORTION = 2048  # points per chunk
 DOUBLE = 8
@@ -36,7 +36,7 @@ class Running(TypedDict, total=False):
     """Options of how to run all functions; see `stress`."""
 
     threads: int | None
-    announce: Announce | None
+    callback: Callback | None
 
 
 class Within(Running, total=False):
@@ -66,7 +66,7 @@ def refuse_options(verb: str, options: Mapping[str, Any], known: type) -> None:
             raise TypeError(f"{verb}() got an unexpected keyword argument {name!r}")
     check_body(options.get("body", "a"))
     thread_count(options.get("threads"))
-    callback("announce", options.get("announce"))
+    check_callback(options.get("callback"))
 
 
 POINTS_REMEDY = "give finite numbers in mm, as arrays that broadcast against each other"
@@ -81,7 +81,7 @@ def stress(
     body: BodyName = "a",
     displacement: bool = False,
     threads: int | None = None,
-    announce: Announce | None = None,
+    callback: Callback | None = None,
 ) -> Field:
     """Return the stress at points below a solved contact.
 
@@ -98,7 +98,7 @@ def stress(
         Whether to return displacements too; not in a hollow roller, whose bending they do not know.
     threads : int, optional
         Number of threads; all cores if left out. The result does not depend on it.
-    announce : callable, optional
+    callback : callable, optional
         Called now and then with the number of points done and the total.
 
     Returns
@@ -152,7 +152,7 @@ def stress(
     array([-1. , -0.8])
     """
     flag("displacement", displacement, "write True for displacements too")
-    callback("announce", announce)
+    check_callback(callback)
     inside = Inside.of(solution, body)
     if displacement and inside.body.bore is not None:
         raise InputError("displacement", True, "only be asked for in bodies without a bore", "leave it out")
@@ -160,7 +160,7 @@ def stress(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
     inside.refuse_outside(*places)
-    return field_at(inside, places, displacement, threads, announce)
+    return field_at(inside, places, displacement, threads, callback)
 
 
 def field_at(
@@ -168,7 +168,7 @@ def field_at(
     places: tuple[Array, ...],
     displacement: bool = False,
     threads: int | None = None,
-    announce: Announce | None = None,
+    callback: Callback | None = None,
 ) -> Field:
     """Return the stress at points that have been checked, NaN where there is no material."""
     count = places[0].size
@@ -189,8 +189,8 @@ def field_at(
         done = 0
         for finished in pool.map(fill, range(0, count, PORTION)):
             done += finished
-            if announce is not None:
-                announce(done, count)
+            if callback is not None:
+                callback(done, count)
     shape = places[0].shape
     moved = displacements.reshape(*shape, 3) if displacements is not None else None
     findings = (*inside.extent.findings(inside_extent), *inside.findings)

@@ -97,7 +97,7 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     y, z : array_like
         Points [mm] along and below the surface, broadcast against each other.
     **options
-        ``body``, ``threads`` and ``announce`` as in `stress`.
+        ``body``, ``threads`` and ``callback`` as in `stress`.
 
     Returns
     -------
@@ -139,7 +139,7 @@ def _passage(
     along, below = broadcast(POINTS_REMEDY, finite_numbers("y", y), finite_numbers("z", z))
     inside = Inside.of(solution, options.get("body", "a"))
     inside.refuse_outside(np.zeros(along.shape), along, below)
-    announce = options.get("announce")
+    callback = options.get("callback")
     results = np.empty((2 * len(QUANTITIES) + 1, along.size))
     at_once = POINTS_AT_ONCE // (2 * (WITHIN + OUTSIDE))
     for start in range(0, along.size, at_once):
@@ -152,8 +152,8 @@ def _passage(
                 results[:, of] = _largest_over_pass(
                     solution, inside, *places, options.get("threads"), turning, every, refinements
                 )
-        if announce is not None:
-            announce(min(start + at_once, along.size), along.size)
+        if callback is not None:
+            callback(min(start + at_once, along.size), along.size)
     largest = [values.reshape(along.shape) for values in results]
     return Passage(inside.name, along, below, *largest)
 

@@ -114,7 +114,7 @@ def extremes(
         The least and the largest depth z [mm] to search, such as those of a hardened case or of the core below it; the
         largest may be infinite.
     **options
-        ``body``, ``threads`` and ``announce`` as in `stress`.
+        ``body``, ``threads`` and ``callback`` as in `stress`.
 
     Returns
     -------
