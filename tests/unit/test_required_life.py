@@ -61,7 +61,7 @@ def test_every_life_is_in_hours_too_where_the_speed_is_known(loaded):
     life = nh.bearing.assess(loaded, speed=1500)
     # 1500 1/min are 0.09 million revolutions an hour.
     assert life.rated_hours == pytest.approx(life.rated_life / 0.09)
-    assert life.hours(life.basic_life) == pytest.approx(life.basic_life / 0.09)
+    assert life.hours_per_million * life.basic_life == pytest.approx(life.basic_life / 0.09)
     both = nh.bearing.assess([(loaded, 0.5), (loaded, 0.5)], speed=[1000, 3000])
     # As above, 0.09 million revolutions an hour; the parts have speeds of their own.
     assert both.rated_hours == pytest.approx(life.rated_hours)

@@ -114,9 +114,10 @@ class BearingLife(HasFindings):
     basis: str = _TEXT
     speed: float | None = None
 
-    def hours(self, life: float) -> float:
-        """Return a life of 10^6 revolutions in hours; NaN without a speed."""
-        return math.nan if self.speed is None else life * 1e6 / (60.0 * self.speed)
+    @property
+    def hours_per_million(self) -> float:
+        """How long 10^6 revolutions take [h]; NaN without a speed."""
+        return math.nan if self.speed is None else 1e6 / (60.0 * self.speed)
 
     @property
     def basic_life(self) -> float:
@@ -136,7 +137,7 @@ class BearingLife(HasFindings):
     @property
     def rated_hours(self) -> float:
         """The life that stands [h]; NaN without a speed."""
-        return self.hours(self.rated_life)
+        return self.hours_per_million * self.rated_life
 
     @property
     def no_modified(self) -> str:

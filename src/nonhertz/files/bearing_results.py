@@ -136,7 +136,7 @@ _IN_HOURS: Final = {"basic": "L10", "reference": "L10r", "modified": "L_nmr", "r
 
 
 def _hours(name: str) -> Callable[[BearingLife], float]:
-    return lambda life: life.hours(getattr(life, name))
+    return lambda life: life.hours_per_million * getattr(life, name)
 
 
 _OF_LOAD: Final = (

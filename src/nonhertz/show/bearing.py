@@ -118,7 +118,7 @@ def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
         hours = ""
         if life_result.speed and math.isfinite(life):
             speed = format_input(float(life_result.speed), 4)
-            hours = f"{format_digits(life_result.hours(life), 4)} hours at {speed} 1/min"
+            hours = f"{format_digits(life_result.hours_per_million * life, 4)} hours at {speed} 1/min"
         return ", ".join(filter(None, (hours, remark)))
 
     factors, of_oil = life_result.factors

@@ -298,7 +298,7 @@ def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | 
     pressure = dict(zip(RINGS, solution.max_pressure.max(axis=0), strict=True)) if solution.method == "strips" else {}
     return SimpleNamespace(
         case=case, life=life, stiffness=stiffness, revolutions=lives,
-        hours={name: life.hours(1e-6 * entry) for name, entry in lives.items()} if life and life.speed else {},
+        hours={name: life.hours_per_million * lives[name] / 1e6 for name in lives} if life and life.speed else {},
         pressure=pressure | ({"both": max(pressure.values())} if pressure else {}),
     )  # fmt: skip
 
