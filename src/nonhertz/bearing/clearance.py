@@ -38,6 +38,8 @@ from nonhertz.bearing.seats import (
     of_density,
     of_expansion,
     of_temperature,
+    seat_diameter,
+    seat_interference,
 )
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
@@ -137,17 +139,17 @@ class Mounting(Input):
         """Return fits with diameters and interferences [mm]."""
         return replace(
             self,
-            shaft=replace(self.shaft, diameter=self.shaft.diameter_on(row), interference=shaft, fit=None),
-            housing=replace(self.housing, diameter=self.housing.diameter_on(row), interference=housing, fit=None),
+            shaft=replace(self.shaft, diameter=seat_diameter(self.shaft, row), interference=shaft, fit=None),
+            housing=replace(self.housing, diameter=seat_diameter(self.housing, row), interference=housing, fit=None),
         )
 
     def _interferences(self, row: RollerBearing) -> tuple[Range, Range]:
         """Return the interferences of both seats."""
         name = "shaft"
         try:
-            on_shaft = self.shaft.interferences(row)
+            on_shaft = seat_interference(self.shaft, row)
             name = "housing"
-            return on_shaft, self.housing.interferences(row)
+            return on_shaft, seat_interference(self.housing, row)
         except InputError as error:
             raise error.within(name) from None
 

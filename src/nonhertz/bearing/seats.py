@@ -131,35 +131,6 @@ class Seat(Input):
         """Return the field from which the interference comes, of a seat of a name."""
         return f"{name}.{'interference' if self.fit is None or self.interference is not None else 'fit'}"
 
-    def diameter_on(self, bearing: RollerBearing) -> float:
-        """Return the diameter [mm]: that of the bearing, if it has none of its own."""
-        name = "bore" if self.ring == "inner" else "outside_diameter"
-        diameter: float | None = getattr(bearing, name) if self.diameter is None else self.diameter
-        if diameter is None:
-            raise InputError(
-                "diameter", None, f"be given where the bearing has no {name}", "give that of the seat in mm"
-            )
-        return diameter
-
-    def interferences(self, bearing: RollerBearing) -> Range:
-        """Return the interference that the class leaves, or the one that is measured [mm].
-
-        Raises
-        ------
-        InputError
-            If there is no such class for this size, or neither seat nor bearing has a diameter.
-        """
-        diameter = self.diameter_on(bearing)
-        if self.interference is not None or self.fit is None:
-            return Range.exactly(self.interference or 0.0)
-        tapered = bearing.is_tapered
-        try:
-            seat = seat_limits(self.fit, diameter)
-            ring = ring_limits(self.ring, diameter, bearing.tolerance_class, tapered=tapered)
-        except InputError as error:
-            raise error.about("diameter", error.value) from None
-        return seat - ring if self.ring == "inner" else ring - seat
-
 
 @input_class(kw_only=True)
 class Shaft(Seat):
@@ -215,3 +186,32 @@ class Housing(Seat):
         if self.diameter is not None and self.outside_diameter <= self.diameter:
             condition = f"exceed that of the seat of {mm(self.diameter):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
+
+
+def seat_diameter(seat: Shaft | Housing, bearing: RollerBearing) -> float:
+    """Return the diameter of a seat [mm]: that of the bearing, if the seat has none."""
+    name = "bore" if seat.ring == "inner" else "outside_diameter"
+    diameter: float | None = getattr(bearing, name) if seat.diameter is None else seat.diameter
+    if diameter is None:
+        raise InputError("diameter", None, f"be given where the bearing has no {name}", "give that of the seat in mm")
+    return diameter
+
+
+def seat_interference(seat: Shaft | Housing, bearing: RollerBearing) -> Range:
+    """Return the interference that the class leaves, or the one that is measured [mm].
+
+    Raises
+    ------
+    InputError
+        If there is no such class for this size, or neither seat nor bearing has a diameter.
+    """
+    diameter = seat_diameter(seat, bearing)
+    if seat.interference is not None or seat.fit is None:
+        return Range.exactly(seat.interference or 0.0)
+    tapered = bearing.is_tapered
+    try:
+        limits = seat_limits(seat.fit, diameter)
+        ring = ring_limits(seat.ring, diameter, bearing.tolerance_class, tapered=tapered)
+    except InputError as error:
+        raise error.about("diameter", error.value) from None
+    return limits - ring if seat.ring == "inner" else ring - limits
