@@ -403,24 +403,17 @@ def _speeds(speed: ArrayLike | None, count: int) -> list[float | None]:
 
 
 def _assess_one(solution: BearingSolution, conditions: _Conditions, speed: float | None) -> BearingLife:
-    by_strips = solution.method == "strips"
-    stress = conditions.edge_stress
-    if stress is None:
-        stress = "pressure" if by_strips else "standard"
-    if stress == "pressure" and not by_strips:
+    usual = {"strips": "pressure", "slices": "standard"}[solution.method]
+    stress = conditions.edge_stress or usual
+    if stress == "pressure" != usual:
         raise InputError("edge_stress", stress, "be 'standard' or 'none' for slices", "solve the bearing by strips")
     rated = rating(solution.bearing, dynamic=conditions.dynamic, static=conditions.static)
     load, still = equivalent_loads(solution)
     means = lamina_means(solution, conditions.laminae, stress, conditions.turning)
     ends = singular_ends(solution) if stress == "pressure" else set()
     reference = math.nan if ends else lamina_life(rated, means)
-    kappa = clean = factor = None
-    if conditions.viscosity is not None and speed is not None:
-        pitch = solution.bearing.rows[0].bearing.pitch
-        kappa = conditions.viscosity / reference_viscosity(speed, pitch)
-        clean = conditions.contamination
-        if clean is None and conditions.cleanliness is not None:
-            clean = contamination_factor(kappa, pitch, conditions.cleanliness)
+    kappa, clean = _oil_factors(conditions, speed, solution.bearing.rows[0].bearing.pitch)
+    factor = None
     if kappa is not None and clean is not None:
         factors = life_factors(solution, rated, means, kappa, float(clean))
         factor = MOST_FACTOR if math.isinf(reference) else lamina_life(rated, means, factors) / reference
@@ -441,6 +434,16 @@ def _assess_one(solution: BearingSolution, conditions: _Conditions, speed: float
     )
 
 
+def _oil_factors(conditions: _Conditions, speed: float | None, pitch: float) -> tuple[float | None, float | None]:
+    """Return kappa and e_C, as far as they are known."""
+    if conditions.viscosity is None or speed is None:
+        return None, None
+    kappa, clean = conditions.viscosity / reference_viscosity(speed, pitch), conditions.contamination
+    if clean is None and conditions.cleanliness is not None:
+        clean = contamination_factor(kappa, pitch, conditions.cleanliness)
+    return kappa, clean
+
+
 def _basis(solution: BearingSolution, edge_stress: str) -> str:
     """Return what L10r follows, and where not: the text is for slices of single rows under radial load."""
     rows = solution.bearing.rows
@@ -453,26 +456,36 @@ def _basis(solution: BearingSolution, edge_stress: str) -> str:
     return words
 
 
+_COMBINED = (
+    *("reference_life", "rated_life", "equivalent_load", "static_load", "viscosity_ratio", "contamination"),
+    *("singular_ends", "axial_on_ribs"),
+)
+
+
 def _combine_lives(parts: tuple[tuple[BearingLife, float], ...], conditions: _Conditions) -> BearingLife:
-    lives, shares = [life for life, _ in parts], [share for _, share in parts]
-    reference, rated = (
-        miner([getattr(part, name) for part in lives], shares) for name in ("reference_life", "rated_life")
+    lives, shares = map(list, zip(*parts, strict=True))
+    first = parts[0][0]
+    columns = {name: [getattr(life, name) for life in lives] for name in _COMBINED}
+    reference, rated = (miner(columns[name], shares) for name in ("reference_life", "rated_life"))
+    # All lives know their oil, or none does.
+    kappa, clean = (
+        None if None in columns[name] else min(columns[name]) for name in ("viscosity_ratio", "contamination")
     )
-    loads = [part.equivalent_load for part in lives]
-    first = lives[0]
     of_oil = MOST_FACTOR if math.isinf(reference) else rated / (conditions.reliability_factor * reference)
     # Shares are those of the revolutions: slow ones take longer.
     minutes = [share / life.speed for life, share in parts if life.speed is not None]
     return replace(
         first,
-        equivalent_load=float(np.dot(np.power(loads, _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)),
-        static_load=max(part.static_load for part in lives),
+        equivalent_load=float(
+            np.dot(np.power(columns["equivalent_load"], _LIFE_EXPONENT), shares) ** (1.0 / _LIFE_EXPONENT)
+        ),
+        static_load=max(columns["static_load"]),
         reference_life=reference,
-        viscosity_ratio=None if first.viscosity_ratio is None else min(part.viscosity_ratio or 0.0 for part in lives),
-        contamination=None if first.contamination is None else min(part.contamination or 0.0 for part in lives),
+        viscosity_ratio=kappa,
+        contamination=clean,
         life_factor=None if first.life_factor is None else of_oil,
-        singular_ends=next((part.singular_ends for part in lives if part.singular_ends), ()),
+        singular_ends=next(filter(None, columns["singular_ends"]), ()),
         parts=parts,
-        axial_on_ribs=max(part.axial_on_ribs for part in lives),
+        axial_on_ribs=max(columns["axial_on_ribs"]),
         speed=math.fsum(shares) / math.fsum(minutes) if minutes else None,
     )

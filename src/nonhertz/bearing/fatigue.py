@@ -28,9 +28,10 @@ L = (sum L_i^(-e))^(-1/e). ISO 281 attributes all failures to the rings: compare
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -194,15 +195,16 @@ def volume_life(
     rated = None if dynamic is None else rating(solution.bearing, dynamic=dynamic)
     of_rows: list[Array] = []
     even: list[Array] = []
-    steep = 0.0
+    distinct: list[Exposure] = []
     for row in solution.bearing.rows:
         seen = _exposures(solution, range(row.rollers.start, row.rollers.stop), field)
-        ideal = [[None if exposure is None else exposure.reference for exposure in of_body] for of_body in seen]
         calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
         of_rows.append(calibrated.lives(seen, RINGS.index(turning)))
-        even.append(calibrated.lives(ideal, RINGS.index(turning)))
-        if field == "sections" and chosen.stress != "orthogonal_shear":  # of which sections know what is nearby
-            steep = max([steep, *(_steep(exposure, chosen) for of_body in seen for exposure in _distinct(of_body))])
+        even.append(calibrated.lives(list(map(_spread_evenly, seen)), RINGS.index(turning)))
+        distinct += _distinct(chain(*seen))
+    # Of orthogonal shear sections know what is nearby.
+    knows = field != "sections" or chosen.stress == "orthogonal_shear"
+    steep = 0.0 if knows else max((_steep(exposure, chosen) for exposure in distinct), default=0.0)
     stress = chosen.stress.replace("_", " ")
     return VolumeLife(
         chosen, np.array(of_rows), np.array(even), tuple(_findings(singular_ends(solution), steep, stress))
@@ -247,9 +249,14 @@ def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Se
     return [[seen(solution.contact(j, ring), body) for j in rollers] for body in bodies for ring in RINGS]
 
 
-def _distinct(seen: Seen) -> list[Exposure]:
+def _distinct(seen: Iterable[Exposure | None]) -> list[Exposure]:
     """Return what is seen, once where it is the same for several rollers."""
     return list(dict.fromkeys(exposure for exposure in seen if exposure is not None))
+
+
+def _spread_evenly(seen: Seen) -> list[Exposure | None]:
+    """Return what would be seen of the same loads without ends, tilts and profiles."""
+    return [None if exposure is None else exposure.reference for exposure in seen]
 
 
 def _steep(seen: Exposure, chosen: VolumeModel) -> float:

@@ -170,7 +170,7 @@ def friction(
         Whether it is lubricated by grease.
     """
     row, factors = of_series(solution.bearing)
-    if factors is None or row.bore is None or row.outside_diameter is None:
+    if not factors or row.bore is None or row.outside_diameter is None:
         return None
     axial, radial = axial_and_radial(solution)
     mean = 0.5 * (row.bore + row.outside_diameter)
@@ -186,7 +186,7 @@ def friction(
 def reference_speed(bearing: RollerBearing | Paired, static: float) -> float | None:
     """Return the thermal speed rating of a bearing with C_0 [N]; None where series or sizes are not known."""
     row, factors = of_series(bearing)
-    if factors is None or row.bore is None or row.outside_diameter is None or row.width is None:
+    if not factors or row.bore is None or row.outside_diameter is None or row.width is None:
         return None
     thrust = isinstance(row, CylindricalThrustBearing)
     f1 = load_factor(factors, (_THRUST if thrust else _RADIAL).share)
@@ -194,11 +194,11 @@ def reference_speed(bearing: RollerBearing | Paired, static: float) -> float | N
     return thermal_speed(factors["f0"][_OIL], f1, **sizes, static=static, thrust=thrust)
 
 
-def of_series(bearing: RollerBearing | Paired) -> tuple[RollerBearing, dict[str, Any] | None]:
+def of_series(bearing: RollerBearing | Paired) -> tuple[RollerBearing, dict[str, Any]]:
     """Return a row and its factors; none of other numbers of rows than catalogues have: one, or two of barrels."""
     row = bearing.rows[0].bearing
     usual = 2 if isinstance(row, SphericalRollerBearing) else 1
-    return row, row.of_series if len(bearing.rows) == usual else None
+    return row, row.of_series if len(bearing.rows) == usual else {}
 
 
 def load_factor(factors: dict[str, Any], share: float) -> float:

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 
@@ -165,14 +165,12 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     if not axial > 0.0 or not solution.each_rib_load.size:
         return
     row = solution.bearing.rows[0].bearing
-    missing = [name for name in ("series", "bore", "outside_diameter", "width") if getattr(row, name) is None]
-    if missing or len(solution.bearing.rows) > 1:
-        what = f"give bearing.{', '.join(missing)}" if missing else "makers' rules are those of single rows"
+    sizes: dict[str, Any] = {name: getattr(row, name) for name in ("series", "bore", "outside_diameter", "width")}
+    if what := _missing_for_ribs(sizes, len(solution.bearing.rows)):
         words = "Whether ribs bear the axial load of {load:4} is not judged: {what}."
         yield Limit(None, finding("rib-limit", words, load=newton(axial), what=what))
         return
-    sizes = {name: getattr(row, name) for name in ("bore", "outside_diameter", "width", "series")}
-    full = bool(row.of_series and row.of_series.get("full"))
+    full = bool(row.of_series.get("full"))
     by = rib_limit_skf(radial=radial, static=static, **sizes, speed=speed, full=full, grease=grease)
     reasons = "half the radial load", "the strength of ribs", "the heat on ribs"
     least = int(np.argmin(by))
@@ -180,13 +178,21 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     words = "Ribs bear {load:4} along the axis; {reason} allows {limit:4} for long, twice that briefly (SKF 2018"
     words += "{where}{other})."
     where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {format_digits(ratio, 3)}"
-    factor, other = (row.of_series or {}).get("rib"), ""
-    if factor is not None and not grease:
+    other = ""
+    if "rib" in row.of_series and not grease:
         mean = 0.5 * (sizes["bore"] + sizes["outside_diameter"])
-        allowed = rib_limit_schaeffler(factor, radial=radial, mean_diameter=mean, speed=speed)
+        allowed = rib_limit_schaeffler(row.of_series["rib"], radial=radial, mean_diameter=mean, speed=speed)
         other = f"; Schaeffler 2006, oil sump: {newton(allowed):4}"
     amounts = {"load": newton(axial), "limit": newton(by[least])}
     yield Limit(met, finding("rib-limit", words, **amounts, reason=reasons[least], where=where, other=other))
+
+
+def _missing_for_ribs(sizes: dict[str, Any], rows: int) -> str:
+    """Return what makers' rules for ribs want that a bearing does not have; empty if nothing."""
+    missing = [name for name, size in sizes.items() if size is None]
+    if missing:
+        return f"give bearing.{', '.join(missing)}"
+    return "makers' rules are those of single rows" if rows > 1 else ""
 
 
 def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:

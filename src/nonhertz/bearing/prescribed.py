@@ -168,19 +168,16 @@ def _check_values(bearing: RollerBearing | Paired, values: Mapping[str, Array], 
     by_force, target = np.zeros(5, dtype=np.bool_), np.zeros((count, 5))
     axially = any(any(row.bears_axially) for row in bearing.rows)
     radially = any(row.bearing.bears_radially for row in bearing.rows)
+    forced = {"radial": radially, "axial": axially, "moment": False}
     aligns = bool(np.ptp([row.aligns_about for row in bearing.rows]) < _COINCIDE * bearing.rows[0].bearing.pitch)
     for pair in _PAIRS:
-        force, motion = values.get(pair.force), values.get(pair.motion)
-        if force is not None and motion is not None:
+        names = values.keys() & {pair.force, pair.motion}
+        if len(names) == 2:
             condition = f"not be given together with {pair.force}"
-            raise InputError(pair.motion, motion[0].tolist(), condition, "leave one of them out")
-        forced = {"radial": radially, "axial": axially, "moment": False}[pair.force]
-        by_force[pair.where] = force is not None or (motion is None and forced)
-        value = force if motion is None else motion
-        if value is not None and value.ndim == 1:
-            target[:, pair.where.start + pair.first] = value
-        elif value is not None:
-            target[:, pair.where] = value
+            raise InputError(pair.motion, values[pair.motion][0].tolist(), condition, "leave one of them out")
+        by_force[pair.where] = pair.force in names if names else forced[pair.force]
+        for value in map(values.__getitem__, names):
+            target[:, pair.where if value.ndim > 1 else pair.where.start + pair.first] = value
     _refuse_unborne("axial", axially, "move along the axis", (by_force, target), _PAIRS[1].where)
     _refuse_unborne("radial", radially, "move across the axis", (by_force, target), _PAIRS[0].where)
     _refuse_unborne("moment", not aligns, "turn about the middle of a sphere", (by_force, target), _PAIRS[2].where)
@@ -205,8 +202,7 @@ def _refuse_unborne(name: str, borne: bool, way: str, acting: tuple[NDArray[np.b
 
 def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> None:
     """Refuse less axial force than a radial one needs where rows bear axial loads one way alone."""
-    ways = [row.bears_axially for row in bearing.rows]
-    up, down = any(way[0] for way in ways), any(way[1] for way in ways)
+    up, down = np.any([row.bears_axially for row in bearing.rows], axis=0)
     if not by_force[0] or up == down:
         return
     radial = np.hypot(target[:, 1], target[:, 2]) if np.all(by_force[1:3]) else np.zeros(len(target))

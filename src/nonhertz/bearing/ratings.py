@@ -216,15 +216,7 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
     rows = [row.bearing for row in bearing.rows]
     for row in rows:
-        of_steel = [is_steel(part.material) for part in (row.roller, row.inner, row.outer)]
-        if all(of_steel[1:]) and name_of(row.roller.material) == "silicon-nitride":
-            condition = "have rollers of bearing steel: hybrid bearings are rated by ISO 20056-1 and -2, not by ISO 281"
-            raise InputError("bearing", "with ceramic rollers", condition, "ask the maker for its ratings")
-        if not all(of_steel):
-            raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
-        if is_hollow(row.roller):
-            condition = "have solid rollers, whose capacities ISO 281 has"
-            raise InputError("bearing", "with hollow rollers", condition, "leave the ratings out")
+        _refuse_other_rollers(row)
     if any(not _are_alike(rows[0], row) for row in rows[1:]):
         condition = "have rows of the same kind and size, as the load ratings of ISO 281 are for"
         raise InputError(
@@ -234,6 +226,19 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         condition = "have all its thrust bearings turned the same way: the others do not bear this load"
         raise InputError("bearing", "Paired", condition, "rate the rows that bear it")
     return rows[0], len(rows)
+
+
+def _refuse_other_rollers(row: RollerBearing) -> None:
+    """Refuse rollers and rings that are not of bearing steel, and hollow rollers."""
+    of_steel = [is_steel(part.material) for part in (row.roller, row.inner, row.outer)]
+    if all(of_steel[1:]) and name_of(row.roller.material) == "silicon-nitride":
+        condition = "have rollers of bearing steel: hybrid bearings are rated by ISO 20056-1 and -2, not by ISO 281"
+        raise InputError("bearing", "with ceramic rollers", condition, "ask the maker for its ratings")
+    if not all(of_steel):
+        raise InputError("bearing", "of other materials", "be of bearing steel", "leave the ratings out")
+    if is_hollow(row.roller):
+        condition = "have solid rollers, whose capacities ISO 281 has"
+        raise InputError("bearing", "with hollow rollers", condition, "leave the ratings out")
 
 
 def _are_alike(one: RollerBearing, other: RollerBearing) -> bool:

@@ -235,9 +235,9 @@ class RollerBearing(Input):
         return next((word for word, kind in self.kinds.items() if kind is type(self)), "")
 
     @property
-    def of_series(self) -> dict[str, Any] | None:
-        """The published factors of its series; None if it is not known."""
-        return None if self.series is None else series_table()[self._word][self.series]
+    def of_series(self) -> dict[str, Any]:
+        """The published factors of its series; none if it is not known."""
+        return {} if self.series is None else series_table()[self._word][self.series]
 
     @property
     def play(self) -> float:

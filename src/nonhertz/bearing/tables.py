@@ -260,19 +260,18 @@ def table(
     count = whole("checks", checks, 0, MOST_STATES, "give the number of cells to check, 200 say")
     motions = dict(zip(MOTIONS, (x, y, z, about_y, about_z), strict=True))
     values = {name: _values(name, value) for name, value in motions.items()}
-    names = tuple(name for name, axis in values.items() if axis.ndim)
-    if not names:
+    axes = {name: axis for name, axis in values.items() if axis.ndim}
+    if not axes:
         raise InputError(
             "y", motions["y"], "be an array if no other motion is", "give the values of one motion or more"
         )
-    states = math.prod(axis.size for axis in values.values())
+    states = math.prod(map(np.size, values.values()))
     if states > MOST_STATES:
         condition = f"be at most {MOST_STATES} points, not {states}"
-        raise InputError("grid of " + ", ".join(names), "too large", condition, "give fewer values")
+        raise InputError("grid of " + ", ".join(axes), "too large", condition, "give fewer values")
     options: dict[str, Any] = {
         "speed": speed, "turning": turning, "method": method, "laminae": laminae, "maps": maps,
     }  # fmt: skip
-    axes = tuple(values[name] for name in names)
     grid = _grid(values)
     force, stiffness, converged = _solve_grid(bearing, grid.reshape(-1, 5), options)
     middles = _grid({name: 0.5 * (axis[1:] + axis[:-1]) if axis.ndim else axis for name, axis in values.items()})
@@ -290,8 +289,8 @@ def table(
         method=method,
         speed=float(speed),
         turning=turning,
-        names=names,
-        axes=axes,
+        names=tuple(axes),
+        axes=tuple(axes.values()),
         displacement=grid,
         force=force.reshape(*shape, 5),
         stiffness=stiffness.reshape(*shape, 5, 5),

@@ -276,13 +276,20 @@ def _solve_states(
     states = solve_balance(system, by_force, target, start, depth, threads=threads)
     if maps is not None:
         _refuse_beyond(bearing, laws, states)
-    if sliced or maps is not None:
-        return system, states
     # Whether loads can be balanced depends on where and in which directions rollers press, not on how stiff they are:
     # what slices find no balance for, strips would look for in vain, pressed ever deeper.
     in_balance = np.flatnonzero(states.residual <= UNBALANCED)
-    if not in_balance.size:
+    if sliced or maps is not None or not in_balance.size:
         return system, states
+    return _refine_by_strips(bearing, load, acting, depth, states, in_balance)
+
+
+def _refine_by_strips(
+    bearing: RollerBearing | Paired, load: Array, acting: Prescribed, depth: float, states: States,
+    in_balance: NDArray[np.int64],
+) -> tuple[System, States]:  # fmt: skip
+    """Return the rollers with strips, and the states to which those of slices lead where these are in balance."""
+    by_force, target = acting
     near, target = states.portion(in_balance), target[in_balance]
     # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
     # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to
