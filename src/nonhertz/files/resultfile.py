@@ -81,7 +81,7 @@ class Result:
         Raises
         ------
         InputError
-            If the case has something that no file can hold; see `Held.write`.
+            If the case has something that no file can hold; see ``Case.write``.
         """
         return self.texts()["result.json"].rstrip("\n")
 

@@ -13,7 +13,7 @@ from nonhertz.web.limits import POINTS
 def inlined(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Return the document of a case or a bearing with points in place of the files that profiles name, and notes on it.
 
-    The points are those that `Held.write` writes. Of the bodies that name files, profiles become lists; there is a
+    The points are those that `Document.write` writes. Of the bodies that name files, profiles become lists; there is a
     sentence for each file.
     """
     document, notes, made = case.document, [], dict(body_tables(case.own_document))
