@@ -180,7 +180,7 @@ BY_THEMSELVES = {"life.model", "measured.fit", "profile.with_drop"}
 WRITING = {"load", "read", "write", "save"}
 #: Asked by the package, of positions that it has checked, of documents and bearings that it has read or solved.
 ASKED = {
-    "apply", "between", "contents_of", "curvature_at", "document_in", "draw", "drop_at", "exactly", "hours",
+    "apply", "between", "contents_of", "curvature_at", "document_in", "draw", "drop_at", "exactly",
     "likely", "moved", "of", "partials", "rated", "relief_at", "scaled", "separation_at", "unchecked", "with_entry",
 }  # fmt: skip
 #: Made by the package and not by its users, who only read them.

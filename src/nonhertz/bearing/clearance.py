@@ -35,6 +35,7 @@ from nonhertz.bearing.seats import (
     Housing,
     Seat,
     Shaft,
+    interference_field,
     of_density,
     of_expansion,
     of_temperature,
@@ -322,8 +323,8 @@ class Mounting(Input):
         warmth = self.temperatures
         furthest = max(warmth, key=lambda part: abs(warmth[part] - REFERENCE))
         takers = {
-            self.shaft.source_of("shaft"): (loss.lost_to_inner_fit, self.shaft.interference or self.shaft.fit, IN_MM),
-            self.housing.source_of("housing"): (
+            interference_field(self.shaft): (loss.lost_to_inner_fit, self.shaft.interference or self.shaft.fit, IN_MM),
+            interference_field(self.housing): (
                 loss.lost_to_outer_fit,
                 self.housing.interference or self.housing.fit,
                 IN_MM,

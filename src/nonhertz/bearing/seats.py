@@ -127,10 +127,6 @@ class Seat(Input):
         interference = self.interference or 0.0
         return max(interference - self.smoothing, min(interference, 0.0))
 
-    def source_of(self, name: str) -> str:
-        """Return the field from which the interference comes, of a seat of a name."""
-        return f"{name}.{'interference' if self.fit is None or self.interference is not None else 'fit'}"
-
 
 @input_class(kw_only=True)
 class Shaft(Seat):
@@ -195,6 +191,12 @@ def seat_diameter(seat: Shaft | Housing, bearing: RollerBearing) -> float:
     if diameter is None:
         raise InputError("diameter", None, f"be given where the bearing has no {name}", "give that of the seat in mm")
     return diameter
+
+
+def interference_field(seat: Shaft | Housing) -> str:
+    """Return the field from which the interference of a seat comes, such as ``shaft.fit``."""
+    name = "shaft" if seat.ring == "inner" else "housing"
+    return f"{name}.{'interference' if seat.fit is None or seat.interference is not None else 'fit'}"
 
 
 def seat_interference(seat: Shaft | Housing, bearing: RollerBearing) -> Range:
