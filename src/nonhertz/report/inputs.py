@@ -1,7 +1,7 @@
 """Every input of a case with value, unit and meaning, and whether it is a default.
 
-Meanings and units come from what the fields of inputs say, values from what `Document.write` writes: all of them, in base
-units, those that a profile takes from its body too. A case and a bearing are lists of the same tables.
+Meanings and units come from what the fields of inputs say, values from what `Document.write` writes: all of them, in
+base units, those that a profile takes from its body too. A case and a bearing are lists of the same tables.
 """
 
 from __future__ import annotations
