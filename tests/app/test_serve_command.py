@@ -80,7 +80,7 @@ def test_a_port_that_is_taken(capsys):
         port = other.getsockname()[1]
         assert main(["serve", "--port", str(port), "--no-browser"]) == 2
     error = capsys.readouterr().err
-    remedy = "choose another with --port, or --port 0 for a free one"
+    remedy = "choose another, or 0 for a free one"
     assert error == f"--port = {port} must be free (address already in use): {remedy}.\n"
 
 

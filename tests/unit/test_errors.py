@@ -73,3 +73,25 @@ def test_errors_travel_between_processes(error):
     assert type(back) is type(error)
     assert str(back) == str(error)
     assert vars(back) == vars(error)
+
+
+CASE = nh.new_case()
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda folder: nh.sweep(folder / "file", over={"load.load": [1e3]}),
+        lambda folder: nh.solve(CASE.contact, load=1e3, strips=41).save(folder / "file"),
+        lambda folder: nh.sweep(CASE, over={"load.load": [1e3]}, out=folder / "file"),
+        lambda folder: nh.sweep(CASE, over={"load.load": [1e3]}, scheduler="nowhere"),
+        lambda folder: nh.optimize(CASE, bounds={}),
+        lambda folder: nh.files.write_rexs(folder / "a.xml", nh.new_bearing()),
+        lambda folder: nh.read_case(folder / "missing.toml", {"load.load": "5 furlongs"}),
+    ],
+)
+def test_errors_of_functions_name_arguments_and_no_options(call, tmp_path):
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+    with pytest.raises(nh.NonhertzError) as refused:
+        call(tmp_path)
+    assert "--" not in str(refused.value)

@@ -28,6 +28,8 @@ _EXTRAS = {
     "distributed": "cluster",
     "openpyxl": "data",
 }
+# Arguments of functions whose options have other names in every command.
+_OPTIONS = {"changes": "--set", "folder": "--out", "out": "--out", "port": "--port", "scheduler": "--scheduler"}
 _NEEDS = {
     "cli": "the command line",
     "web": "the page",
@@ -117,7 +119,11 @@ def _describe_end(error: BaseException) -> tuple[int, list[str]]:
     match error:
         case CaseError(mistakes=[_, _, *_]):
             verdict = BAD_INPUT, [f"{i}. {mistake}" for i, mistake in enumerate(error.mistakes, start=1)]
-        case CaseError() | InputError():
+        case CaseError():
+            verdict = BAD_INPUT, [str(error)]
+        case InputError(field=field) if field in _OPTIONS:
+            verdict = BAD_INPUT, [str(error.about(_OPTIONS[field], error.value))]
+        case InputError():
             verdict = BAD_INPUT, [str(error)]
         case Interrupted():
             verdict = INTERRUPTED, [str(error)]

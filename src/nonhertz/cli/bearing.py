@@ -70,7 +70,8 @@ def bearing(
     if rexs is not None:
         from nonhertz.files.rexs.writing import form_of, write_rexs  # loaded for it alone
 
-        form_of(rexs)
+        with rename_fields(path="--rexs"):
+            form_of(rexs)
         if chosen:
             raise InputError("--rexs", str(rexs), f"not be given with {chosen[0][0]}", "leave one out")
     if contact is not None and (as_json or out is not None):
@@ -78,7 +79,7 @@ def bearing(
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)
-    with rename_fields(**{"--out": "--rexs"}):
+    with rename_fields(folder="--rexs", out="--rexs"):
         refuse_unwritable_out(rexs, file=True)
     if compare:
         return _compare(case, out)

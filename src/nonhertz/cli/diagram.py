@@ -32,7 +32,6 @@ def solve_diagram(case: BearingCase, over: str, workers: int | None, out: Path |
             raise
         except InputError as error:
             raise error.about(f"--over {error.field}", values) from None
-    with rename_fields(folder="--out"):
-        made = () if out is None else bearing_diagram.save(out)
+    made = () if out is None else bearing_diagram.save(out)
     as_json = partial(as_text, DIAGRAM, made, diagram=bearing_diagram, sweep=bearing_diagram.sweep)
     return Answer(case.title, diagram_sections(bearing_diagram), as_json, bearing_diagram.sweep.verdict, written=made)

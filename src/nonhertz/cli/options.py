@@ -113,8 +113,7 @@ def write_outputs(
 
 def save_result(result: Result, out: Path | None) -> tuple[Path, ...]:
     """Write a result into a directory, if one is named; return the files."""
-    with rename_fields(folder="--out"):
-        return () if out is None else result.save(out)
+    return () if out is None else result.save(out)
 
 
 def figure_writer(figures: Figures) -> Callable[[Path], None]:

@@ -13,7 +13,6 @@ from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import printable_name
 
 _LONGEST = 60  # characters of a value in the comment
-_OPTION = "--set"
 
 
 def parse_changes(words: Sequence[str]) -> dict[str, Any]:
@@ -35,10 +34,10 @@ def parse_changes(words: Sequence[str]) -> dict[str, Any]:
     for word in words:
         path, equals, value = (part.strip() for part in word.partition("="))
         if not path or not equals:
-            remedy = "write path and value, such as --set load.load=5kN"
-            raise InputError(_OPTION, word, "have an equals sign between path and value", remedy)
+            remedy = "write path and value, such as load.load=5kN"
+            raise InputError("changes", word, "have an equals sign between path and value", remedy)
         if path in changes:
-            raise InputError(_OPTION, word, "set each path once", f"leave one of the values of {path} out")
+            raise InputError("changes", word, "set each path once", f"leave one of the values of {path} out")
         changes[path] = _parse_value(value) if value else None
     return changes
 

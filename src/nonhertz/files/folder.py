@@ -51,7 +51,7 @@ def write_files(
         files = [(draft, directory / draft.name) for draft in sorted(drafts.iterdir())]
         for _, target in files:
             if target.is_dir():
-                raise InputError("--out", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
+                raise InputError("folder", str(directory), f"not hold a directory named {target.name}", _OUT_REMEDY)
         for draft, target in files:
             os.replace(draft, target)  # noqa: PTH105  (says that it replaces)
     return tuple(target for _, target in files)
@@ -71,18 +71,21 @@ def write_file(path: Path, text: str) -> Path:
         raise error.about("path", str(path)) from None
 
 
-def refuse_unwritable(directory: Path) -> None:
+def refuse_unwritable(directory: Path, field: str = "folder") -> None:
     """Refuse a directory that cannot be written to before the work starts; `write_files` would do so only at the end.
 
-    A test write leaves the directory as it was.
+    A test write leaves the directory as it was. ``field`` is what the error calls it.
 
     Raises
     ------
     InputError
         If the directory cannot be written to.
     """
-    with _draft_folder(directory, keep=False):
-        pass
+    try:
+        with _draft_folder(directory, keep=False):
+            pass
+    except InputError as error:
+        raise error.about(field, error.value) from None
 
 
 def refuse_unwritable_file(path: Path) -> None:
@@ -95,7 +98,7 @@ def refuse_unwritable_file(path: Path) -> None:
     """
     if not (around := path.parent.parent).exists():
         condition = "be in a folder that is there, or a new one in such a folder"
-        raise InputError("--out", str(path), condition, f"make {around} first, or correct the name")
+        raise InputError("out", str(path), condition, f"make {around} first, or correct the name")
     refuse_unwritable(path.parent)
 
 
@@ -108,7 +111,7 @@ def _draft_folder(directory: Path, *, keep: bool = True) -> Iterator[Path]:
     made: list[Path] = []
     try:
         if directory.exists() and not directory.is_dir():
-            raise InputError("--out", str(directory), "be a directory, not a file", _OUT_REMEDY)
+            raise InputError("folder", str(directory), "be a directory, not a file", _OUT_REMEDY)
         made = [path for path in (directory, *directory.parents) if not path.exists()]  # innermost first
         directory.mkdir(parents=True, exist_ok=True)
         # Inside the directory, not beside it: a move is only atomic within one file system.
@@ -119,7 +122,7 @@ def _draft_folder(directory: Path, *, keep: bool = True) -> Iterator[Path]:
         if not isinstance(error, OSError):
             raise
         condition = f"be a directory to write to ({(error.strerror or str(error)).lower()})"
-        raise InputError("--out", str(directory), condition, "choose another") from None
+        raise InputError("folder", str(directory), condition, "choose another") from None
     finally:
         for path in () if keep else made:
             with contextlib.suppress(OSError):

@@ -86,7 +86,7 @@ class Result:
         return self.texts()["result.json"].rstrip("\n")
 
     def save(self, folder: str | Path) -> tuple[Path, ...]:
-        """Write what ``nonhertz solve`` and ``nonhertz bearing`` write into ``--out``: result, tables and figures.
+        """Write what ``nonhertz solve`` and ``nonhertz bearing`` write into a directory: result, tables and figures.
 
         Parameters
         ----------

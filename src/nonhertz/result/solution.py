@@ -443,7 +443,7 @@ class Solution(Solved):
         return nonhertz.plot.draw(self, what, ax)
 
     def save(self, folder: str | os.PathLike[str], title: str = "Contact") -> tuple[Path, ...]:
-        """Write what ``nonhertz solve`` writes into ``--out``: ``result.json``, ``table.csv`` and figures.
+        """Write what ``nonhertz solve`` writes into a directory: ``result.json``, ``table.csv`` and figures.
 
         The case in the result, from which `nonhertz.read_result` has the contact again, prescribes load and tilt.
 

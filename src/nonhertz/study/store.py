@@ -104,7 +104,7 @@ class Store:
         more = f"; and {len(places) - 3} more" if len(places) > 3 else ""
         condition = f"hold rows of the same plan, but {'; '.join(changes)}{more}"
         remedy = "choose another directory, or put the plan back as it was"
-        return InputError("--out", str(self._directory), condition, remedy)
+        return InputError("out", str(self._directory), condition, remedy)
 
     @contextlib.contextmanager
     def _transaction(self) -> Iterator[sqlite3.Connection]:
@@ -234,7 +234,7 @@ def _refuse_damage(directory: Path | None) -> Iterator[None]:
         elif not isinstance(error, OSError) and not kind.startswith(_PLACE):
             condition = f"hold an intact {FILE} (the store is damaged: {shorten(reason)})"
             remedy = f"delete {FILE} to solve all rows anew, or choose another directory"
-        raise InputError("--out", str(directory), condition, remedy) from None
+        raise InputError("out", str(directory), condition, remedy) from None
 
 
 def _leaves(place: str, value: Any) -> Iterator[tuple[str, str]]:

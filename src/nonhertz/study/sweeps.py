@@ -346,7 +346,7 @@ def sweep(
         raise InputError("out", out, "be the name of a directory", "give a string or a Path")
     directory = None if out is None else Path(out)
     if directory is not None:
-        refuse_unwritable(directory)
+        refuse_unwritable(directory, "out")
     most = OF_BEARINGS if study.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
     names = [quantity.name for quantity in numbers]

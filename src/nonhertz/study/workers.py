@@ -136,12 +136,12 @@ def _connect(address: str) -> Any:
     remedy = "give that of a running Dask scheduler, such as tcp://10.0.0.1:8786"
     # The client has assertions, not sentences, for what is no address at all.
     if not isinstance(address, str) or not _ADDRESS.fullmatch(address):
-        raise InputError("--scheduler", address, "be the address of a scheduler, with a port", remedy)
+        raise InputError("scheduler", address, "be the address of a scheduler, with a port", remedy)
     try:
         return Client(address, timeout=CONNECTING, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
-        raise InputError("--scheduler", address, f"be the address of a scheduler ({reason})", remedy) from None
+        raise InputError("scheduler", address, f"be the address of a scheduler ({reason})", remedy) from None
 
 
 @contextlib.contextmanager

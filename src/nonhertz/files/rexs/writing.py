@@ -69,7 +69,7 @@ def form_of(path: Path) -> str:
     endings = {".rexs": "xml", ".rexs.xml": "xml", ".rexsj": "json", ".rexs.json": "json"}
     known = next((form for ending, form in endings.items() if path.name.lower().endswith(ending)), None)
     if known is None:
-        raise InputError("--rexs", str(path), "end with .rexs, .rexs.xml, .rexsj or .rexs.json", "rename the file")
+        raise InputError("path", str(path), "end with .rexs, .rexs.xml, .rexsj or .rexs.json", "rename the file")
     return known
 
 

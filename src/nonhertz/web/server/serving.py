@@ -38,7 +38,7 @@ def listening(port: int) -> socket.socket:
         If the port number is invalid, or another program uses the port.
     """
     if not 0 <= port <= 65535:
-        raise InputError("--port", port, "lie between 0 and 65535", "choose another, or 0 for a free one")
+        raise InputError("port", port, "lie between 0 and 65535", "choose another, or 0 for a free one")
     # asyncio sets TCP_NODELAY only if the protocol is given explicitly; otherwise small writes wait 40 ms for more.
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if sys.platform == "win32":  # there SO_REUSEADDR would let two servers listen on one port
@@ -51,8 +51,7 @@ def listening(port: int) -> socket.socket:
     except OSError as error:
         made.close()
         reason = (error.strerror or str(error)).lower()
-        remedy = "choose another with --port, or --port 0 for a free one"
-        raise InputError("--port", port, f"be free ({reason})", remedy) from None
+        raise InputError("port", port, f"be free ({reason})", "choose another, or 0 for a free one") from None
     return made
 
 
