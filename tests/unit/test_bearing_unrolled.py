@@ -124,19 +124,29 @@ def test_slices_have_no_pressures_in_the_table():
 def test_states_are_a_line_each():
     many = B.solve_many(row(), radial=np.array([2e3, 5e3])[:, None], tilt=[0.0, 1e-3, 2e-3], method="slices")
     frame = many.to_dataframe()
-    assert frame.index.names == ["axis_0", "axis_1"]
-    assert frame.loc[(1, 2), "moment_z"] == many.force[1, 2, 4]
-    assert frame.loc[(1, 2), "displacement_y"] == many.displacement[1, 2, 1]
-    assert frame.loc[(0, 1), "max_load_outer"] == many.load[0, 1, :, 1].max()
-    assert frame.loc[(0, 1), "loaded_share_0"] == many[0, 1].loaded_share[0]
+    assert frame.index.names == ["radial", "tilt"]
+    assert frame.loc[(5e3, 2e-3), "moment_z"] == many.force[1, 2, 4]
+    assert frame.loc[(5e3, 2e-3), "displacement_y"] == many.displacement[1, 2, 1]
+    assert frame.loc[(2e3, 1e-3), "max_load_outer"] == many.load[0, 1, :, 1].max()
+    assert frame.loc[(2e3, 1e-3), "loaded_share_0"] == many[0, 1].loaded_share[0]
     assert frame["force_y"].to_numpy() == pytest.approx([2e3] * 3 + [5e3] * 3, rel=1e-8)
     assert set(frame.attrs["units"]) == set(frame.columns) - {"loaded_share_0", "converged"}
-    assert B.solve_many(row(), radial=[1e3, 2e3], method="slices").to_dataframe().index.name == "state"
+    assert B.solve_many(row(), radial=[1e3, 2e3], method="slices").to_dataframe().index.name == "radial"
 
 
 def test_a_state_without_a_balance_has_no_numbers():
     many = B.solve_many(row(), radial=[2e3, 5e3], method="slices")
     object.__setattr__(many, "converged", np.array([True, False]))
     frame = many.to_dataframe()
-    assert frame.loc[1].drop("converged").isna().all()
-    assert frame.loc[0].notna().all()
+    assert frame.iloc[1].drop("converged").isna().all()
+    assert frame.iloc[0].notna().all()
+
+
+def test_the_contacts_of_a_bearing_have_labelled_dimensions():
+    solution = B.solve(row(), radial=5e3, method="slices")
+    data = solution.to_xarray()
+    assert data["load"].dims == ("roller", "ring")
+    np.testing.assert_array_equal(data["load"].sel(ring="outer"), solution.load[:, 1])
+    assert data["load"].attrs["units"] == "N"
+    assert "max_pressure" not in data
+    np.testing.assert_array_equal(data["angle"], solution.angle)

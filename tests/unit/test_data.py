@@ -34,29 +34,40 @@ def test_no_other_column_is_known(sweep):
         sweep.column("aproach")
 
 
-def test_a_sweep_is_a_row_a_case(sweep):
+def test_a_row_a_case_is_indexed_by_what_varies(sweep):
     frame = sweep.to_dataframe()
-    assert frame.index.name == "case"
-    assert list(frame.columns) == [*QUANTITIES, "singular", "converged"]
+    assert frame.index.name == "load"
+    assert list(frame.columns) == [*(name for name in QUANTITIES if name != "load"), "singular", "converged"]
     np.testing.assert_array_equal(frame["max_pressure"], sweep.max_pressure)
     assert frame.attrs["units"]["approach"] == "mm"
-    assert frame["load"].iloc[-1] == pytest.approx(5e3)
+    assert frame.index[-1] == 5e3
 
 
 def test_a_map_has_a_level_and_a_dimension_an_axis(chart):
     frame, found = chart.to_dataframe(), chart.to_xarray()
-    assert frame.index.names == ["axis_0", "axis_1"]
-    assert frame.loc[(1, 2), "moment"] == chart.moment[1, 2]
-    assert dict(found.sizes) == {"axis_0": 2, "axis_1": 3}
-    assert float(found["moment"].sel(axis_0=1, axis_1=2)) == chart.moment[1, 2]
+    assert frame.index.names == ["load", "tilt"]
+    assert frame.loc[(3e3, 2e-4), "moment"] == chart.moment[1, 2]
+    assert dict(found.sizes) == {"load": 2, "tilt": 3}
+    assert float(found["moment"].sel(load=3e3, tilt=2e-4)) == chart.moment[1, 2]
     assert found["approach"].attrs == {"units": "mm", "long_name": "approach"}
+    assert found["load"].attrs["units"] == "N"
+    assert frame.reset_index()["tilt"].tolist() == [0.0, 1e-4, 2e-4] * 2
+
+
+def test_axes_along_which_no_input_varies_alone_are_numbered():
+    load, tilt = np.linspace(2e3, 3e3, 3), np.linspace(0.0, 1e-4, 3)
+    assert nh.solve_many(CROWNED, load=load, tilt=tilt, strips=41).to_dataframe().index.name == "case"
+    grid = nh.solve_many(CROWNED, load=load + np.array([[0.0], [1.0]]), tilt=tilt[:2, None], strips=41)
+    assert list(grid.to_xarray().sizes) == ["case_0", "case_1"]
+    other = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=3000)), nh.Plate())
+    assert nh.solve_many([CROWNED, other], load=5e3, strips=41).to_dataframe().index.name == "contact"
 
 
 def test_cases_without_a_solution_have_no_numbers():
     many = nh.solve_many(CROWNED, approach=[0.01, -0.5], strips=81)
     frame = many.to_dataframe()
     assert frame["converged"].tolist() == [True, False]
-    assert np.isnan(frame.loc[1, "contact_length"])
+    assert np.isnan(frame["contact_length"].iloc[1])
 
 
 @pytest.mark.parametrize(("library", "verb"), [("pandas", "to_dataframe"), ("xarray", "to_xarray")])

@@ -33,6 +33,7 @@ from nonhertz.solver.one import solve
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray as xr
 
 Array = NDArray[np.float64]
 
@@ -455,6 +456,33 @@ class BearingSolution(ReadOnly):
         frame = pandas.DataFrame(columns)
         frame.attrs["units"] = {"angle": "rad"} | {name: quantity.unit for name, quantity in CONTACT_QUANTITIES.items()}
         return frame
+
+    def to_xarray(self) -> xr.Dataset:
+        """Return an xarray Dataset: a variable for each quantity, with units, over ``roller`` and ``ring``.
+
+        The coordinate ``ring`` is "inner" or "outer", ``roller`` counts from 0 over all rows, and ``angle`` is where a
+        roller is [rad]. By slices there are no pressures.
+
+        Raises
+        ------
+        ImportError
+            If xarray is not installed.
+        """
+        xarray = library("xarray", "to_xarray")
+        unknown = PRESSURES if self.method != "strips" else ()
+        data: xr.Dataset = xarray.Dataset(
+            {
+                name: (("roller", "ring"), quantity.get(self), {"units": quantity.unit, "long_name": quantity.label})
+                for name, quantity in CONTACT_QUANTITIES.items()
+                if name not in unknown
+            },
+            coords={
+                "roller": np.arange(self.angle.size),
+                "ring": list(RINGS),
+                "angle": ("roller", self.angle, {"units": "rad"}),
+            },
+        )
+        return data
 
     def _of_contacts(self, name: str) -> Array:
         values = np.zeros(self.load.shape)

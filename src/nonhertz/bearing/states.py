@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,7 @@ from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution, loaded_shares
 from nonhertz.errors import ConvergenceError
-from nonhertz.result.data import library
+from nonhertz.result.data import library, product_index
 from nonhertz.result.read_only import ReadOnly
 
 if TYPE_CHECKING:
@@ -43,6 +44,9 @@ class BearingSolutions(ReadOnly):
         Of the contacts with the inner and the outer ring [N].
     converged : ndarray of bool, shape (...)
         Whether a balance was found; where not, the other values are those of the last step.
+    axes : mapping of str to ndarray
+        The values of the input that varies along each axis and along no other, by its name, as ``radial``. Other axes
+        are numbered: ``state``, or ``state_0``.
     """
 
     bearing: RollerBearing | Paired
@@ -52,14 +56,21 @@ class BearingSolutions(ReadOnly):
     stiffness: Array
     load: Array
     converged: NDArray[np.bool_]
+    axes: Mapping[str, Array]
     _states: States
     _roller_load: Array
 
     @classmethod
     def of(
-        cls, bearing: RollerBearing | Paired, method: str, states: States, roller_load: Array, shape: tuple[int, ...]
+        cls,
+        bearing: RollerBearing | Paired,
+        method: str,
+        states: States,
+        roller_load: Array,
+        shape: tuple[int, ...],
+        axes: Mapping[str, Array],
     ) -> BearingSolutions:
-        """Return the states of a bearing in an array of a shape."""
+        """Return the states of a bearing in an array of a shape with axes."""
         load = states.load[..., :2]
         most = np.max(states.load, axis=(1, 2), keepdims=True)
         return cls(
@@ -70,6 +81,7 @@ class BearingSolutions(ReadOnly):
             stiffness=states.stiffness.reshape(*shape, 5, 5),
             load=np.where(load > NO_LOAD * most, load, 0.0).reshape(*shape, *load.shape[1:]),
             converged=states.converged(TOLERANCE).reshape(shape),
+            axes=axes,
             _states=states,
             _roller_load=roller_load,
         )
@@ -101,7 +113,7 @@ class BearingSolutions(ReadOnly):
 
         Forces and moments on the inner ring, its displacements and rotations, the largest loads of a roller on both
         rings, the loaded share of every row, and whether a balance was found; without one the numbers are NaN. The
-        index has one level per axis.
+        index has a level for each of ``axes``.
 
         Raises
         ------
@@ -113,10 +125,8 @@ class BearingSolutions(ReadOnly):
         # What a state without a balance ended with is no result.
         rows = np.where(self.converged[..., None], numbers, np.nan).reshape(self.converged.size, -1)
         names = [*STATE_UNITS, *(f"loaded_share_{row}" for row in range(self.loaded_share.shape[-1]))]
-        index = pandas.RangeIndex(self.converged.size, name="state")
-        if self.converged.ndim > 1:
-            axes = [f"axis_{number}" for number in range(self.converged.ndim)]
-            index = pandas.MultiIndex.from_product(map(range, self.converged.shape), names=axes)
-        frame = pandas.DataFrame(rows, index=index, columns=names).assign(converged=self.converged.ravel())
+        frame = pandas.DataFrame(rows, index=product_index(pandas, self.axes), columns=names).assign(
+            converged=self.converged.ravel()
+        )
         frame.attrs["units"] = dict(STATE_UNITS)
         return frame

@@ -30,6 +30,7 @@ from nonhertz.inputs.descriptions import Count, Word
 from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import FEWEST, MOST, STIFFENING, roller_stiffness
 from nonhertz.native import core
+from nonhertz.result.data import name_axes
 
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
@@ -195,7 +196,8 @@ def solve_many(
     bearing = adjust_preload(bearing, method, laminae)
     acting, shape = many_states(bearing, inputs) if displacement is None else motions(displacement, inputs)
     _, states = _solve_states(bearing, loaded, solver, maps, acting, thread_count(threads))
-    return BearingSolutions.of(bearing, method, states, loaded, shape)
+    arrays = {name: np.broadcast_to(value, shape) for name, value in inputs.items() if value is not None}
+    return BearingSolutions.of(bearing, method, states, loaded, shape, name_axes(arrays, shape, "state"))
 
 
 def adjust_preload(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,7 @@ class ManySolved(Protocol):
 
     shape: tuple[int, ...]
     singular: NDArray[np.bool_]
+    axes: Mapping[str, NDArray[Any]]
 
     @property
     def converged(self) -> NDArray[np.bool_]:
@@ -31,28 +33,64 @@ class ManySolved(Protocol):
 
 def dataframe(solutions: ManySolved) -> pd.DataFrame:
     """Return a DataFrame with a row for each case; see `nonhertz.Solutions.to_dataframe`."""
-    pandas, names = library("pandas", "to_dataframe"), _axes(solutions)
-    index = pandas.MultiIndex.from_product([range(length) for length in solutions.shape], names=names)
-    if len(names) == 1:
-        index = index.get_level_values(0)
-    frame = pandas.DataFrame({name: column.ravel() for name, column in _columns(solutions).items()}, index=index)
+    pandas, axes = library("pandas", "to_dataframe"), solutions.axes
+    columns = {name: column.ravel() for name, column in _columns(solutions).items() if name not in axes}
+    frame = pandas.DataFrame(columns, index=product_index(pandas, axes))
     frame.attrs["units"] = {name: quantity.unit for name, quantity in QUANTITIES.items()}
     return frame
 
 
 def dataset(solutions: ManySolved) -> xr.Dataset:
     """Return a Dataset with a variable for each quantity; see `nonhertz.Solutions.to_xarray`."""
-    xarray, names = library("xarray", "to_xarray"), _axes(solutions)
+    xarray, axes = library("xarray", "to_xarray"), solutions.axes
+    columns = {name: column for name, column in _columns(solutions).items() if name not in axes}
     data: xr.Dataset = xarray.Dataset(
-        {name: (names, column, _attributes(name)) for name, column in _columns(solutions).items()},
-        coords={name: range(length) for name, length in zip(names, solutions.shape, strict=True)},
+        {name: (list(axes), column, _attributes(name)) for name, column in columns.items()},
+        coords={name: (name, values, _attributes(name)) for name, values in axes.items()},
     )
     return data
 
 
-def _axes(solutions: ManySolved) -> list[str]:
-    several = len(solutions.shape) > 1
-    return [f"axis_{number}" for number in range(len(solutions.shape))] if several else ["case"]
+def name_axes(
+    inputs: Mapping[str, NDArray[Any]], shape: tuple[int, ...], other: str = "case"
+) -> dict[str, NDArray[Any]]:
+    """Return the axes of broadcast inputs by the name of the one that varies along each, with its values.
+
+    Where none varies along an axis, or several do, or one that varies along another axis, too, it is named ``other``,
+    numbered if there are several axes, and its values count from 0.
+
+    Parameters
+    ----------
+    inputs : mapping of str to ndarray, shape (...)
+        The inputs, broadcast.
+    shape : tuple of int
+        The shape of the axes, "(...)" above.
+    other : str
+        What an axis is called that no input names.
+    """
+    varying = {
+        name: [axis for axis in range(len(shape)) if np.any(values != np.take(values, [0], axis))]
+        for name, values in inputs.items()
+    }
+    axes: dict[str, NDArray[Any]] = {}
+    for axis, length in enumerate(shape):
+        along = [name for name, varies in varying.items() if axis in varies]
+        if len(along) == 1 and varying[along[0]] == [axis]:
+            first = tuple(slice(None) if number == axis else 0 for number in range(len(shape)))
+            axes[along[0]] = inputs[along[0]][first]
+        else:
+            axes[other if len(shape) == 1 else f"{other}_{axis}"] = np.arange(length)
+    return axes
+
+
+def product_index(pandas: Any, axes: Mapping[str, NDArray[Any]]) -> pd.Index[Any]:
+    """Return the pandas index of all combinations of axes: a level for each, or a plain index of one or none."""
+    if not axes:
+        return cast("pd.Index[Any]", pandas.RangeIndex(1))
+    if len(axes) == 1:
+        ((name, values),) = axes.items()
+        return cast("pd.Index[Any]", pandas.Index(values, name=name))
+    return cast("pd.Index[Any]", pandas.MultiIndex.from_product(axes.values(), names=list(axes)))
 
 
 def _columns(solutions: ManySolved) -> dict[str, Any]:

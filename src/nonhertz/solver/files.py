@@ -11,7 +11,7 @@ import ast
 import json
 import math
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -47,7 +47,9 @@ SAME = 1e-12
 _AS_GIVEN = "give them as they were given to solve_many"
 
 
-def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
+def save(
+    path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Block, ...], axes: Mapping[str, NDArray[Any]]
+) -> None:
     """Write blocks of cases."""
     problem = blocks[0].problem
     if _ELEMENTS.get(problem.model.element.name) != problem.model.element:
@@ -66,6 +68,7 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
     likenesses = [_Fingerprint.of(source.problem, _places(source)) for source in sources.values()]
     fields = {
         "shape": np.array(shape),
+        "axes": np.asarray(json.dumps({name: values.tolist() for name, values in axes.items()})),
         "element": np.asarray(problem.model.element.name),
         "prescribed": np.array(problem.by_force),
         "accuracy": np.array(
@@ -97,8 +100,8 @@ def save(path: str | os.PathLike[str], shape: tuple[int, ...], blocks: tuple[Blo
 
 def read(
     path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]
-) -> tuple[tuple[int, ...], tuple[Block, ...]]:
-    """Return the shape of the results, and the blocks."""
+) -> tuple[tuple[int, ...], tuple[Block, ...], dict[str, NDArray[Any]]]:
+    """Return the shape of the results, the blocks, and the axes, which files before 0.1.0 do not have."""
     sources = list_contacts(contacts)
     entries = ARCHIVE.load(path)
     stated = text(entries, "digest")
@@ -112,7 +115,8 @@ def read(
         condition = f"be 1 or {shape[-1]}, as many as the cases have along the last axis"
         raise InputError("number of contacts", len(sources), condition, _AS_GIVEN)
     which = np.broadcast_to(np.arange(len(sources)), shape).ravel()
-    return shape, tuple(_blocks(fields, sources, which))
+    axes = {name: np.array(values) for name, values in json.loads(text(fields, "axes") or "{}").items()}
+    return shape, tuple(_blocks(fields, sources, which)), axes
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from nonhertz.inputs.checks import check_callback, thread_count
 from nonhertz.model.contact import Contact
 from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.native import core
+from nonhertz.result.data import name_axes
 from nonhertz.solver.blocks import list_contacts
 from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
 from nonhertz.solver.portions import Chunk, Run, Task, Work
@@ -111,8 +112,9 @@ def solve_many(
     """
     check_callback(callback)
     prescribed = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
-    shape, tasks = _lay_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    solutions, findings = Run(shape, tuple(_group_tasks(tasks)), thread_count(threads)).outcome(callback)
+    axes, tasks = _lay_out(contacts, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
+    shape = tuple(values.size for values in axes.values())
+    solutions, findings = Run(shape, tuple(_group_tasks(tasks)), thread_count(threads), axes).outcome(callback)
     warn(findings)
     return solutions
 
@@ -135,8 +137,8 @@ def solve_without_warnings(
     InputError
         As `solve_many` does.
     """
-    shape, tasks = _lay_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
-    stop = core.Stop()
+    axes, tasks = _lay_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
+    stop, shape = core.Stop(), tuple(values.size for values in axes.values())
     return Solutions(shape, tuple(block for work in _group_tasks(tasks) for block in work.solved(stop)))
 
 
@@ -152,13 +154,14 @@ class _Options:
 
 def _lay_out(
     contacts: Contact | Iterable[Contact], prescribed: Mapping[str, ArrayLike | None], options: _Options
-) -> tuple[tuple[int, ...], list[Task]]:
-    """Return the shape of the results and the cases; invalid input is refused."""
+) -> tuple[dict[str, NDArray[Any]], list[Task]]:
+    """Return the axes of the results and the cases; invalid input is refused."""
     prescriptions = {name: value for name, value in prescribed.items() if value is not None}
     refuse_unpaired(**{name: prescribed.get(name) for name in _PRESCRIBED})
     contact_list = list_contacts(contacts)
     shape, which, values = _broadcast(len(contact_list) if not isinstance(contacts, Contact) else None, prescriptions)
-    return shape, _make_tasks(contact_list, shape, which, values, options)
+    axes = name_axes({name: value.reshape(shape) for name, value in (values | {"contact": which}).items()}, shape)
+    return axes, _make_tasks(contact_list, shape, which, values, options)
 
 
 def _broadcast(

@@ -7,10 +7,11 @@ results nor announcements depend on it.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -158,10 +159,14 @@ class Run:
         The portions.
     threads : int
         Number of threads.
+    axes : mapping of str to ndarray
+        The axes of the results, as in `Solutions`.
     """
 
-    def __init__(self, shape: tuple[int, ...], works: tuple[Work, ...], threads: int) -> None:
-        self._shape, self._works, self._threads = shape, works, threads
+    def __init__(
+        self, shape: tuple[int, ...], works: tuple[Work, ...], threads: int, axes: Mapping[str, NDArray[Any]]
+    ) -> None:
+        self._shape, self._works, self._threads, self._axes = shape, works, threads, axes
         self._futures: list[Future[list[Block]]] = []
 
     def _finished(self, callback: Callable[[Chunk], object] | None) -> Solutions:
@@ -211,7 +216,7 @@ class Run:
             begun = {case for block in done for case in block.numbers}
             blocks += done
             blocks += (unsolved for task in work.tasks for unsolved in task.without(begun, NonhertzError(NOT_SOLVED)))
-        return Solutions(self._shape, tuple(blocks))
+        return Solutions(self._shape, tuple(blocks), self._axes)
 
 
 def _result(future: Future[list[Block]]) -> list[Block]:

@@ -6,9 +6,9 @@ import contextlib
 import copy
 import math
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
 from nonhertz.result.brief import plain_text, shorten
-from nonhertz.result.data import dataframe, dataset
+from nonhertz.result.data import dataframe, dataset, name_axes
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.read_only import freeze
 from nonhertz.result.solution import Solution
@@ -50,6 +50,8 @@ class Solutions:
         Shape of the result arrays, "(...)" below.
     blocks : tuple
         Groups of cases that were solved together.
+    axes : mapping of str to ndarray, optional
+        The axes, see below; numbered if left out.
 
     Attributes
     ----------
@@ -67,10 +69,16 @@ class Solutions:
         As in `Solution`.
     converged : ndarray of bool, shape (...)
         Whether the case has a solution.
+    axes : mapping of str to ndarray
+        The values of the input that varies along each axis and along no other, by its name: ``load``, or ``contact``, a
+        number. Other axes are numbered: ``case``, or ``case_0``.
     """
 
-    def __init__(self, shape: tuple[int, ...], blocks: tuple[Block, ...]) -> None:
+    def __init__(
+        self, shape: tuple[int, ...], blocks: tuple[Block, ...], axes: Mapping[str, NDArray[Any]] | None = None
+    ) -> None:
         self.shape = shape
+        self.axes = axes or name_axes({}, shape)
         self._blocks = blocks
         self._place: dict[int, tuple[Block, int]] = {
             number: (block, row) for block in blocks for row, number in enumerate(block.numbers)
@@ -142,7 +150,8 @@ class Solutions:
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
 
-        The columns ``singular`` and ``converged`` follow the quantities. The index has one level per axis.
+        The columns ``singular`` and ``converged`` follow the quantities. The index has a level for each of ``axes``;
+        a quantity that names an axis is no column.
 
         Raises
         ------
@@ -152,7 +161,7 @@ class Solutions:
         return dataframe(self)
 
     def to_xarray(self) -> xr.Dataset:
-        """Return an xarray Dataset: a variable for each quantity, with units, a dimension for each axis.
+        """Return an xarray Dataset: a variable for each quantity, with units, a dimension for each of ``axes``.
 
         Raises
         ------
@@ -178,7 +187,7 @@ class Solutions:
         OSError
             If the file cannot be written.
         """
-        files.save(path, self.shape, self._blocks)
+        files.save(path, self.shape, self._blocks, self.axes)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]) -> Solutions:
