@@ -1,11 +1,13 @@
 """What results say of themselves where they are printed."""
 
+import html
 import re
 
 import pytest
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
+from nonhertz.result.brief import HasHtml, plain_text
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, nh.Ring(diameter=80))
@@ -62,3 +64,25 @@ def test_plane_grids_and_batches_are_printed_too():
     assert "3 of 4 cases converged, shape 2 x 2" in said
     assert "approach 5.0000 to 7.0000 µm" in said
     assert "failed: case (1, 1): approach = -1.0" in said
+
+
+def test_notebooks_see_every_result_as_it_prints():
+    case = nh.new_case(changes={"solver.strips": 21})
+    study = nh.sweep(case, over={"load.load": [5e3, 6e3]}, quantities=("approach",))
+    for result in (study, nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41), nh.compare(CONTACT, load=5e3)):
+        name, *lines = repr(result).splitlines()
+        shown = result._repr_html_()
+        assert f"<strong>{name}</strong>" in shown
+        assert re.findall("<li>(.*?)</li>", shown) == [html.escape(line.strip()) for line in lines] != []
+
+
+def test_what_notebooks_are_shown_is_escaped():
+    class Result(HasHtml):
+        def __repr__(self):
+            return plain_text("<b>", ["<script>alert(1)</script>", "a & b"])
+
+    shown = Result()._repr_html_()
+    assert "<script>" not in shown
+    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in shown
+    assert "<strong>&lt;b&gt;</strong>" in shown
+    assert "a &amp; b" in shown

@@ -43,7 +43,7 @@ from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import check_shares, miner
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
 
@@ -63,7 +63,7 @@ _PAIRS = "pairs of a loaded bearing and its share of the revolutions"
 
 
 @dataclass(frozen=True, repr=False)
-class BearingLife(HasFindings):
+class BearingLife(HasFindings, HasHtml):
     """How long a bearing lasts under one load or a spectrum of loads, in 10^6 revolutions.
 
     Attributes

@@ -48,7 +48,7 @@ from nonhertz.inputs.checks import one_of
 from nonhertz.life.catalogue import MODELS, VolumeModel
 from nonhertz.life.volume import Exposure, even_exposure, exposure, section_exposure
 from nonhertz.model.body import BodyName
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.read_only import ReadOnly
@@ -67,7 +67,7 @@ _LEAST = 1e-3  # of the largest pressure
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class VolumeLife(HasFindings, ReadOnly):
+class VolumeLife(HasFindings, ReadOnly, HasHtml):
     """How long rings and rollers last by a model of the stressed volume, with 90 % reliability [10^6 revolutions].
 
     Attributes

@@ -24,7 +24,7 @@ from nonhertz.findings import Finding, sentences
 from nonhertz.hertz import PointContact
 from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import numbers, one_of, whole
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity, attributes
 from nonhertz.result.read_only import ReadOnly
@@ -90,7 +90,7 @@ class DistinctContact(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class BearingSolution(ReadOnly):
+class BearingSolution(ReadOnly, HasHtml):
     """A bearing in equilibrium.
 
     Attributes

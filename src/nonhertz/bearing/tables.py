@@ -20,7 +20,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import finding, warn
 from nonhertz.inputs.checks import broadcast, numbers, one_of, whole
 from nonhertz.maps.misses import SAFETY
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.read_only import ReadOnly, freeze
 
 Array = NDArray[np.float64]
@@ -35,7 +35,7 @@ _TOGETHER, _BY_STRIPS = 2000, 200
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ForceTable(ReadOnly):
+class ForceTable(ReadOnly, HasHtml):
     """Forces on the inner ring of a bearing on a grid of its motions; made by `table`.
 
     Attributes

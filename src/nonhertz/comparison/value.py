@@ -14,7 +14,7 @@ from nonhertz.errors import InputError
 from nonhertz.findings import Finding
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 
@@ -132,7 +132,7 @@ class Station:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Comparison:
+class Comparison(HasHtml):
     """Strips of both elements and a plane grid on one case.
 
     Attributes

@@ -29,7 +29,7 @@ from nonhertz.life.spectrum import check_shares, miner
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.read_only import ReadOnly
@@ -46,7 +46,7 @@ _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Life(HasFindings, ReadOnly):
+class Life(HasFindings, ReadOnly, HasHtml):
     """How long one body of a contact lasts, by one model.
 
     Attributes

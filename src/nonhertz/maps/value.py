@@ -20,7 +20,7 @@ from nonhertz.maps import files, fitting
 from nonhertz.maps.evaluation import MOST_LOAD, TILT_HIGH, TILT_LOW
 from nonhertz.maps.misses import SAFETY, SampledErrors
 from nonhertz.native import core
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.tables import as_csv
@@ -91,7 +91,7 @@ class MapPoint(ReadOnly):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ContactMap(HasFindings, ReadOnly):
+class ContactMap(HasFindings, ReadOnly, HasHtml):
     """A stand-in for a contact with sampled errors; made by `nonhertz.maps.contact_map`.
 
     Attributes

@@ -104,6 +104,22 @@ def plain_text(name: str, items: list[str]) -> str:
     return "\n".join([name, *(f"  {line}" for line in items)])
 
 
+class HasHtml:
+    """A result that notebooks show as what it prints: its name and a line for each number, with units."""
+
+    def _repr_html_(self) -> str:
+        name, *texts = repr(self).splitlines()
+        return _to_html(name, texts)
+
+
+def _to_html(name: str, texts: Iterable[str], picture: str = "") -> str:
+    items = "".join(f"<li>{html.escape(line.strip())}</li>" for line in texts)
+    return (
+        f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>{picture}'
+        f'<ul style="list-style:none;padding:0;margin:0">{items}</ul></div>'
+    )
+
+
 def to_html(name: str, texts: list[str], solution: Solved) -> str:
     """Return lines as HTML, below a plot of the pressure along the contact, clipped where it has no limit."""
     y, pressure = solution.y, solution.centre_pressure
@@ -113,15 +129,13 @@ def to_html(name: str, texts: list[str], solution: Solved) -> str:
         f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - min(value / top, 1.0)):.1f}"
         for place, value in zip(y.tolist(), pressure.tolist(), strict=True)
     )
-    items = "".join(f"<li>{html.escape(line)}</li>" for line in texts)
-    return (
-        f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>'
+    picture = (
         f'<svg role="img" aria-label="pressure along the contact" '
         f'viewBox="0 -2 {DRAWN_WIDTH} {DRAWN_HEIGHT + 4}" width="{DRAWN_WIDTH}" height="{DRAWN_HEIGHT}" '
         'style="display:block;margin:4px 0">'
         f'<polyline points="{points}" fill="none" stroke="currentColor" stroke-width="1.2"/></svg>'
-        f'<ul style="list-style:none;padding:0;margin:0">{items}</ul></div>'
     )
+    return _to_html(name, texts, picture)
 
 
 def fields(value: Any) -> str:

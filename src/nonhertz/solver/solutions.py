@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import Contact
-from nonhertz.result.brief import plain_text, shorten
+from nonhertz.result.brief import HasHtml, plain_text, shorten
 from nonhertz.result.data import dataframe, dataset, name_axes
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.read_only import freeze
@@ -39,7 +39,7 @@ _COLUMNS = (
 STIFFNESS, SINGULAR, _WIDTH = slice(9, 13), 13, 14
 
 
-class Solutions:
+class Solutions(HasHtml):
     """The results of many cases: arrays of the most used quantities, and the full `Solution` of any case.
 
     Where a case failed, its numbers are nan, and ``solutions[number]`` raises the error in `failures`.

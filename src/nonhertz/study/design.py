@@ -26,7 +26,7 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import check_callback, one_of, thread_count, whole
 from nonhertz.life import ContactLoadCase, Model, lundberg_palmgren
 from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
@@ -97,7 +97,7 @@ class Band:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Design(HasFindings):
+class Design(HasFindings, HasHtml):
     """What a design has found.
 
     Attributes

@@ -24,7 +24,7 @@ from nonhertz.files.studies import DIAGRAM, as_text
 from nonhertz.inputs.checks import is_number
 from nonhertz.plot import save_all
 from nonhertz.plot.drawer import sheets_of
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.figures import in_words
 from nonhertz.study.sweeps import Progress, Sweep, sweep
@@ -48,7 +48,7 @@ _WAY_OUT = "change the range, or what the file holds beside it"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Diagram:
+class Diagram(HasHtml):
     """Numbers of a bearing over one of its inputs, made by `diagram`.
 
     Attributes

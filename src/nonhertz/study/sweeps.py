@@ -28,7 +28,7 @@ from nonhertz.files.spreads import Distribution
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import check_callback, thread_count
-from nonhertz.result.brief import plain_text, shorten
+from nonhertz.result.brief import HasHtml, plain_text, shorten
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.points import Points
@@ -72,7 +72,7 @@ class Progress:
     seconds: float | None = None
 
 
-class Sweep:
+class Sweep(HasHtml):
     """The rows of a plan.
 
     Attributes

@@ -43,7 +43,7 @@ from nonhertz.files.sampling import SALTELLI, Sampling
 from nonhertz.files.spreads import Distribution
 from nonhertz.findings import finding
 from nonhertz.inputs.checks import numbers
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.limits import CERTAINTY, Capability, Limit, capabilities, limits_in
 from nonhertz.study.quantities import choose_quantities, known_quantities
@@ -105,7 +105,7 @@ class Index:
     total_high: float
 
 
-class Tolerance:
+class Tolerance(HasHtml):
     """How the results of a plan are distributed.
 
     Attributes
