@@ -27,7 +27,7 @@ _SHARE = "give the share of the revolutions, above 0 and at most 1"
 class BearingLoadCase(BearingLoad):
     """A load on a bearing, carried for a share of the revolutions, as in `nonhertz.bearing.solve`.
 
-    From shares of the time those of the revolutions are found by `shares_of_revolutions`.
+    `shares_of_revolutions` converts shares of the time.
 
     Raises
     ------

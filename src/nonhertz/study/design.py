@@ -225,13 +225,13 @@ def optimize(
         of a profile as a whole ``"free(60 um, 8)"``: one that only grows from the middle to both ends, by at most so
         much, in so many steps.
     goal : {"pressure", "life"}
-        The lowest peak pressure under any load (the default), or the longest life under all of them.
+        The lowest peak pressure under any load, if left out, or the longest life under all of them.
     loads : sequence of ContactLoadCase, optional
         The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
     constraints : mapping, optional
         What must hold under every load, such as ``{"approach": "at most 30 um"}``, for quantities of a solution.
     model : Model, optional
-        The fatigue model of lives; Lundberg and Palmgren's if left out. One without a limit.
+        The fatigue model of lives, one without a fatigue limit; Lundberg and Palmgren's if left out.
     n_starts : int
         Number of searches, 5 if left out: one from the case as it is, if it lies within the bounds, the others spread
         between them.
@@ -293,8 +293,8 @@ def pareto(
     """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
 
     Every point has the lowest peak pressure under the first group for which that under the second stays below a cap;
-    the caps are evenly spread between what is best for the second group and what comes of the best for the first. A
-    point that is no better than another in either is left out.
+    the caps are evenly spread from the lowest pressure that the second group can have to the one it has in the design
+    that is best for the first. A point that is no better than another in either pressure is left out.
 
     Parameters
     ----------

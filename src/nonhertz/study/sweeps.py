@@ -299,7 +299,7 @@ def sweep(
     samples : Sampling or int, optional
         How samples of distributions are drawn, as in `Plan`, or how many.
     quantities : tuple of str, optional
-        Names of the numbers wanted, such as ``("max_pressure", "life")``; by default those of the plan, or the usual
+        Names of the results, such as ``("max_pressure", "life")``; by default those of the plan, or the usual
         ones.
     out : str or Path, optional
         Directory for the rows, which are kept as they are solved: a sweep that was stopped, even by a crash, goes on
@@ -309,7 +309,7 @@ def sweep(
     scheduler : str, optional
         Address of a Dask scheduler whose workers solve the rows in place of processes on this machine.
     callback : callable, optional
-        Called with a `Progress` before the first row and whenever a portion of rows is there.
+        Called with a `Progress` before the first row and whenever some more rows are solved.
 
     Returns
     -------
