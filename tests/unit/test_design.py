@@ -12,7 +12,8 @@ from nonhertz.figures.value import Line
 from nonhertz.files.free_forms import FreeForm, parse_free_form
 from nonhertz.plot.drawer import sheet_of
 from nonhertz.result.quantities import QUANTITIES
-from nonhertz.study.design import check_design, find_starts, optimize, pareto
+from nonhertz.study.design import optimize, pareto
+from nonhertz.study.design_task import check_design, find_starts
 from nonhertz.study.figures import design_figures, front_figures
 from nonhertz.study.limits import limits_in
 from nonhertz.study.objective import Variable

@@ -24,7 +24,7 @@ from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES, Body
 from nonhertz.show.solving import attempted
-from nonhertz.study.design import check_design
+from nonhertz.study.design_task import check_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import choose_quantities
 from nonhertz.study.tolerances import check_limits

@@ -17,36 +17,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import describe_load, format_digits, of_dimension
-from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
+from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
-from nonhertz.files.free_forms import parse_free_form
-from nonhertz.files.planfile import Template, read_design
-from nonhertz.files.spreads import parse_bounds
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import check_callback, one_of, thread_count, whole
-from nonhertz.life import ContactLoadCase, Model, lundberg_palmgren
-from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
+from nonhertz.inputs.checks import check_callback, thread_count, whole
+from nonhertz.life import ContactLoadCase, Model
+from nonhertz.life.spectrum import check_cases
 from nonhertz.result.brief import HasHtml, plain_text
-from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
-from nonhertz.study.limits import limits_in
-from nonhertz.study.objective import GOALS, LIFE, PRESSURE, DesignPoint, Task, Variable, try_point
+from nonhertz.study.design_task import check_design, find_starts, shares_of
+from nonhertz.study.objective import PRESSURE, DesignPoint, Task, try_point
 from nonhertz.study.search import Search, search_from
 from nonhertz.study.workers import LostError, Workers
 from nonhertz.verdict import Verdict, judge_loads, judge_rows
 
 Array = NDArray[np.float64]
+_Point = tuple[dict[str, Any], float, float, Case]  # of a front: values, both pressures, and the case
 Portions = Callable[..., Iterator[tuple[Any, Any]]]
 
-STARTS, MOST_STARTS = 5, 100
 POINTS, MOST_POINTS = 9, 50  # of a front
+_MET = -1e-4  # of a limit: by how little rounding of a search may miss it
 AT_BOUND = 1e-3  # of a range: values that come so close to an end of it are at that
 SAME = 0.01  # of the goal: starts that come so close have found the same
 COSTS = (0.01, 0.05)  # for which the bands of variables are found
 PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
-BEYOND = 1.2  # by how much slopes and curvatures of a start stay below their bounds at least
 
 
 @dataclass(frozen=True)
@@ -328,33 +324,41 @@ def pareto(
     free, capped = (None,) * len(groups[0]), len(groups[1])
     lowest, highest = ends[1].value, _largest_pressure(ends[0].case, groups[1])
     caps = np.linspace(lowest, highest, points)[1:-1].tolist()
-    begins = [np.array(_shares(base, end.values)) for end in ends]
+    begins = [np.array(shares_of(base, end.values)) for end in ends]
     tasks = []
     for k, cap in enumerate(caps):
         task = replace(base, loads=every, caps=(*free, *(cap,) * capped))
         # From both ends, and from as far between them as the cap is.
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
-    by_cap: dict[int, list[Search]] = {}
+    ended = _solve_caps(tasks, workers)
+    rows = [(ends[1].values, _largest_pressure(ends[1].case, groups[0]), lowest, ends[1].case)]
+    for k in sorted(ended):
+        case_at = base.case(ended[k].ended)
+        rows.append((base.values(ended[k].ended), ended[k].value, _largest_pressure(case_at, groups[1]), case_at))
+    rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
+    values, largest, others, cases = zip(*_without_worse(rows), strict=True)
+    at_bounds = _at_bounds(base, [shares_of(base, point) for point in values], ends[0].units)
+    return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
+
+
+def _solve_caps(tasks: Sequence[tuple[int, Task, Array]], workers: int | None) -> dict[int, Search]:
+    """Return the best search of each number that meets its limits."""
+    ended: dict[int, Search] = {}
     with contextlib.closing(Workers()) as solving:
         for (k, _, _), search in solving.portions(search_from, tasks, min(thread_count(workers), len(tasks))):
-            if isinstance(search, Search) and math.isfinite(search.value) and search.least_margin >= -1e-3:
-                by_cap.setdefault(k, []).append(search)
-    rows = [(ends[1].values, _largest_pressure(ends[1].case, groups[0]), lowest, ends[1].case)]
-    for k in sorted(by_cap):
-        chosen = min(by_cap[k], key=lambda search: search.value)
-        case_there = base.case(chosen.ended)
-        rows.append((base.values(chosen.ended), chosen.value, _largest_pressure(case_there, groups[1]), case_there))
-    rows.append((ends[0].values, ends[0].value, highest, ends[0].case))
-    # A point is worse than another that has no more of either pressure, and less of one.
-    rows = [
+            if isinstance(search, Search) and search.least_margin >= -1e-3 and search.value < math.inf:
+                ended[k] = min(ended.get(k, search), search, key=lambda one: one.value)
+    return ended
+
+
+def _without_worse(rows: list[_Point]) -> list[_Point]:
+    """Return the points than which none has no more of either pressure, and less of one."""
+    return [
         row
         for row in rows
         if not any(other[1] <= row[1] and other[2] <= row[2] and other[1:3] != row[1:3] for other in rows)
     ]
-    values, largest, others, cases = (tuple(column) for column in zip(*rows, strict=True))
-    at_bounds = _at_bounds(base, [_shares(base, point) for point in values], ends[0].units)
-    return Front(values, largest, others, cases, every, ends[0].units, tuple(at_bounds))
 
 
 def _largest_pressure(case: Case, loads: Sequence[ContactLoadCase]) -> float:
@@ -371,182 +375,62 @@ def _solve_load(case: Case, load: ContactLoadCase) -> Solution:
     return solve(case.contact, load=load.load, tilt=load.tilt, **case.solver.keywords)
 
 
-def _shares(task: Task, values: Mapping[str, Any]) -> list[float]:
-    """Return the variables of values."""
-    remaining = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
-    return [variable.share(next(remaining[variable.path])) for variable in task.variables]
-
-
-def find_starts(task: Task, starts: int) -> list[Array]:
-    """Return where the searches begin: at the case as it is, if it lies within the bounds, and spread between these."""
-    from scipy.stats import qmc
-
-    now = _shares_as_is(task)
-    begins = [] if now is None else [now]
-    count = math.ceil(math.log2(starts + 1))
-    spread = qmc.Sobol(len(task.variables), rng=np.random.default_rng(1)).random_base2(count)
-    for point in spread[: starts - len(begins)]:
-        x = 0.05 + 0.9 * point
-        for path in {variable.path for variable in task.variables if variable.form is not None}:
-            at = [k for k, variable in enumerate(task.variables) if variable.path == path]
-            # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
-            x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
-            x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
-        for mine, margins, _ in task.of_forms(x):
-            # Free profiles are to begin within their bounds: margins are 1 less something that grows with the squares.
-            x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
-        begins.append(x)
-    return begins
-
-
-def _shares_as_is(task: Task) -> Array | None:
-    """Return the case as it is; None if it lies outside the bounds, or does not say."""
-    from nonhertz.inputs.units import to_unit
-
-    point = []
-    for variable in task.variables:
-        parameter = task.template.known[variable.path]
-        value = parameter.value_in(task.template.document)
-        number = to_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
-        if not isinstance(number, float) or not variable.low <= number <= variable.high:
-            return None
-        point.append(variable.share(number))
-    return np.array(point)
-
-
-def check_design(
-    case: object,
-    bounds: Mapping[str, Any] | None = None,
-    goal: str | None = None,
-    loads: Sequence[ContactLoadCase] | None = None,
-    constraints: Mapping[str, Any] | None = None,
-    model: Model | None = None,
-    n_starts: int | None = None,
-) -> tuple[Task, int]:
-    """Return the task of `optimize` and the number of starts; refuse what it refuses before it solves anything."""
-    plan: dict[str, Any] = {}
-    if isinstance(case, str | Path):
-        case, plan = read_design(case)
-    if not isinstance(case, Case):
-        remedy = "read one with nonhertz.read_case; a bearing is swept over"
-        raise InputError("case", case, "be a case of a single contact", remedy)
-    arguments: dict[str, Any] = {
-        "bounds": bounds,
-        "goal": goal,
-        "loads": loads,
-        "constraints": constraints,
-        "model": model,
-    }
-    arguments |= {"n_starts": n_starts}
-    plan |= {name: value for name, value in arguments.items() if value is not None}
-    template = Template(case.document, case.path, is_bearing=False)
-    chosen = plan.get("goal", PRESSURE)
-    one_of("goal", chosen, GOALS, "say what is to be best")
-    fatigue = plan.get("model") or lundberg_palmgren()
-    if chosen == LIFE:
-        from nonhertz.study.lives import damage
-
-        damage(fatigue)  # refuses models with a limit
-    task = Task(
-        template,
-        _variables(template, plan.get("bounds", {})),
-        _loads(case, plan.get("loads")),
-        chosen,
-        fatigue,
-        limits_in(_mapping("constraints", plan.get("constraints", {})), QUANTITIES),
-    )
-    return task, whole("n_starts", plan.get("n_starts", STARTS), 1, MOST_STARTS, "give the number of searches")
-
-
-def _mapping(name: str, value: object) -> Mapping[str, Any]:
-    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
-        raise InputError(name, value, "be a dictionary", "map paths or names to what they may be")
-    return value
-
-
-def _variables(template: Template, bounds: object) -> tuple[Variable, ...]:
-    variables: list[Variable] = []
-    for path, text in _mapping("bounds", bounds).items():
-        which = template.find_varied(path, text)
-        form = parse_free_form(path, text)
-        if form is not None:
-            variables += [Variable(path, 0.0, 1.0, form)] * form.knots
-            continue
-        variables.append(Variable(path, *parse_bounds(which, text)))
-        for end in (variables[-1].low, variables[-1].high):
-            try:
-                template.case({path: end})
-            except NonhertzError as error:
-                condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
-                remedy = "change these bounds, or what the case holds beside them"
-                raise InputError(path, text, condition, remedy) from None
-    if not variables:
-        raise InputError("bounds", bounds, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
-    return tuple(variables)
-
-
-def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
-    if loads is None:
-        if case.life.spectrum:
-            return case.life.spectrum
-        prescribed = case.prescribed
-        if prescribed.load is None or prescribed.moment is not None:
-            remedy = "give loads, each with a tilt"
-            raise InputError("case", sorted(prescribed.keywords), "have a load, and no moment, for a design", remedy)
-        return (ContactLoadCase(load=prescribed.load, share=1.0, tilt=prescribed.tilt or 0.0),)
-    cases = check_cases("loads", loads, ContactLoadCase)
-    refuse_other_than_whole("loads", cases, "give each its share")
-    return tuple(cases)
-
-
 def _summarize(
     task: Task, was: Case, before: DesignPoint | None, searches: Sequence[Any], portions: Portions
 ) -> Design:
-    good = [search for search in searches if isinstance(search, Search) and math.isfinite(search.value)]
-    met = [search for search in good if search.least_margin >= -1e-4]
-    if not good:
-        why = next((search.failure for search in searches if isinstance(search, Search)), "no process came back")
-        paths = ", ".join(dict.fromkeys(search.path for search in task.variables))
-        raise InputError(
-            "bounds", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads"
-        )
-    if not met:
-        nearest = max(good, key=lambda search: search.least_margin)
-        names = ", ".join(limit.name for limit in task.limits) or "bounds of free profiles"
-        short = f"by {100.0 * -nearest.least_margin:.3g} %"
-        raise InputError(
-            "constraints", names, f"be possible, but every start falls short, {short} at least", "relax a limit"
-        )
-    chosen = min(met, key=lambda search: search.value)
+    chosen = _choose_best(task, [search for search in searches if isinstance(search, Search)])
     judged = task.at(chosen.ended)
-    reference = before.damage if before is not None and task.goal == LIFE else math.nan
+    reference = math.nan if before is None else before.value
 
     def goal(value: float) -> float:
         return value if task.goal == PRESSURE else reference / value
 
-    starts = []
-    for search in searches:
-        if isinstance(search, LostError):
-            starts.append(Start({}, {}, math.nan, (), False, str(search)))
-            continue
-        values, ended = task.values(search.begun), task.values(search.ended)
-        history = tuple(goal(value) for value in search.history)
-        starts.append(Start(values, ended, goal(search.value), history, search.least_margin >= -1e-4, search.failure))
+    starts = [_start_of(task, search, goal) for search in searches]
     starts.sort(key=lambda start: (math.isnan(start.value), start.value if task.goal == PRESSURE else -start.value))
-    of_load = [describe_load(load.load, load.tilt) for load in task.loads]
-    if task.goal == PRESSURE:
-        worst = of_load[judged.largest[1]]
-    else:
-        parts = np.array([load.share for load in task.loads]) * judged.damages
-        number = int(np.argmax(parts))
-        worst = f"{of_load[number]}, {100.0 * parts[number] / parts.sum():.3g} % of the damage"
     units = {variable.path: task.template.known[variable.path].unit or "" for variable in task.variables}
     return Design(
-        task.goal, task.values(chosen.ended), goal(judged.value),
-        before.value if task.goal == PRESSURE and before is not None else (1.0 if before is not None else math.nan),
-        tuple(starts), _bands(task, judged, portions), worst, judged.case, was, task.loads, units,
+        task.goal, task.values(chosen.ended), goal(judged.value), goal(reference), tuple(starts),
+        _bands(task, judged, portions), _worst_load(judged), judged.case, was, task.loads, units,
         tuple(_at_bounds(task, [chosen.ended.tolist()], units)),
     )  # fmt: skip
+
+
+def _choose_best(task: Task, searches: Sequence[Search]) -> Search:
+    """Return the best search that meets all limits; refuse where there is none."""
+    good = [search for search in searches if math.isfinite(search.value)]
+    if not good:
+        why = searches[0].failure if searches else "no process came back"
+        paths = ", ".join(dict.fromkeys(variable.path for variable in task.variables))
+        raise InputError(
+            "bounds", paths, f"be possible at a start ({why.rstrip('.')})", "change the bounds or the loads"
+        )
+    margin = max(search.least_margin for search in good)
+    if margin < _MET:
+        names = ", ".join(limit.name for limit in task.limits) or "bounds of free profiles"
+        short = f"by {100.0 * -margin:.3g} %"
+        raise InputError(
+            "constraints", names, f"be possible, but every start falls short, {short} at least", "relax a limit"
+        )
+    return min((search for search in good if search.least_margin >= _MET), key=lambda search: search.value)
+
+
+def _start_of(task: Task, search: Search | LostError, goal: Callable[[float], float]) -> Start:
+    if isinstance(search, LostError):
+        return Start({}, {}, math.nan, (), False, str(search))
+    values, ended = task.values(search.begun), task.values(search.ended)
+    history = tuple(map(goal, search.history))
+    return Start(values, ended, goal(search.value), history, search.least_margin >= _MET, search.failure)
+
+
+def _worst_load(judged: DesignPoint) -> str:
+    """Return the load with the largest pressure, or with the largest share of the damage, in words."""
+    loads = judged.task.loads
+    if judged.task.goal == PRESSURE:
+        worst = loads[judged.largest[1]]
+        return describe_load(worst.load, worst.tilt)
+    parts = np.array([load.share for load in loads]) * judged.damages
+    worst = loads[int(np.argmax(parts))]
+    return f"{describe_load(worst.load, worst.tilt)}, {100.0 * parts.max() / parts.sum():.3g} % of the damage"
 
 
 def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str, str]) -> Iterator[Finding]:

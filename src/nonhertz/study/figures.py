@@ -260,16 +260,15 @@ def _panel_of(sweep: Sweep) -> Callable[[Quantity], Panel] | None:
 
 def _over_two(sweep: Sweep, lists: Mapping[str, NDArray[Any]]) -> Callable[[Quantity], Panel]:
     """Return what makes lines over one path, named by the one with few values or words; or maps over both."""
-    sizes = [values.size for values in lists.values()]
     axes = [axis_over(path, sweep.unit(path), values) for path, values in lists.items()]
-    words = [bool(axis.categories) for axis, _ in axes]
-    by_first = words[0] or (sizes[0] <= FEW and not words[1] and sizes[0] <= sizes[1])
+    (first, a), (second, b) = axes
+    by_first = bool(first.categories) or (a.size <= FEW and not second.categories and a.size <= b.size)
     (named, y), (along, x) = axes if by_first else axes[::-1]
+    as_maps = y.size > FEW and not (*first.categories, *second.categories)
 
     def panel_of(quantity: Quantity) -> Panel:
-        numbers = sweep[quantity.name].reshape(sizes)
-        numbers = numbers if by_first else numbers.T
-        if y.size > FEW and not any(words):
+        numbers = np.moveaxis(sweep[quantity.name].reshape(a.size, b.size), int(not by_first), 0)
+        if as_maps:
             return map_over(along, x, named, y, numbers.T, axis_of(quantity))
         factor, unit = named.scale
         names = named.categories or [f"{format_input(factor * value, 4)} {unit}".rstrip() for value in y.tolist()]

@@ -108,8 +108,9 @@ class Work:
     def _solve_together(self, case: Case, pressing: Sequence[Prescription]) -> list[Row]:
         columns = {name: np.array([getattr(way, name) for way in pressing]) for name in pressing[0].keywords}
         solutions = solve_without_warnings(case.contact, columns, **case.solver.keywords)
-        names = {quantity.name for quantity in self.quantities}
-        at_once = {name: solutions.column(name) for name in names & QUANTITIES.keys()}
+        at_once = {
+            number.name: solutions.column(number.name) for number in self.quantities if number.name in QUANTITIES
+        }
         converged = solutions.converged.tolist()
         rows = []
         for number, prescribed in enumerate(pressing):

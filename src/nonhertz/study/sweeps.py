@@ -6,7 +6,7 @@ import contextlib
 import json
 import math
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from hashlib import sha256
@@ -342,24 +342,15 @@ def sweep(
     numbers = choose_quantities(study.quantities, bearing=study.template.is_bearing)
     processes = thread_count(workers)
     solving = Workers(scheduler)
-    if not isinstance(out, str | Path | None):
-        raise InputError("out", out, "be the name of a directory", "give a string or a Path")
-    directory = None if out is None else Path(out)
-    if directory is not None:
-        refuse_unwritable(directory, "out")
+    directory = _check_directory(out)
     most = OF_BEARINGS if study.template.is_bearing else OF_CONTACTS
     size = min(most, math.ceil(len(points) / PORTIONS))
-    names = [quantity.name for quantity in numbers]
-    store = Store(directory, _describe_origin(study, points, numbers, size), points.paths, names)
+    origin = _describe_origin(study, points, numbers, size)
+    store = Store(directory, origin, points.paths, origin["quantities"])
     result = Sweep(study, points, numbers, store)
     work, stored = _work(study, numbers), store.portions()
     progress = Progress(len(store), len(points), len(store))
-    missing: Iterator[Portion] = (
-        (portion, rows, points.values(rows))
-        for portion, first in enumerate(range(0, len(points), size))
-        if portion not in stored
-        for rows in [points.solved_at(first, min(first + size, len(points))).tolist()]
-    )
+    missing = partial(_missing_portions, points, size, stored)
     try:
         with contextlib.closing(solving), contextlib.ExitStack() as stack:
             stack.callback(store.release)
@@ -367,12 +358,10 @@ def sweep(
             solve, count, seconds = partial(_solve_portion, work, points.paths), len(points) - len(store), None
             if callback is not None:
                 if count >= WORTH_TIMING and scheduler is None:
-                    first = next(missing)
-                    seconds, missing = count * _seconds_per_row(solve, first) / processes, chain([first], missing)
+                    seconds = count * _seconds_per_row(solve, next(missing())) / processes
                 callback(replace(progress, seconds=seconds))
-            for portion, solved in solving.portions(solve, missing, processes):
-                lost = [Row((math.nan,) * len(numbers), str(solved))] * len(portion[1])
-                store.add(*portion, lost if isinstance(solved, LostError) else solved)
+            for portion, solved in solving.portions(solve, missing(), processes):
+                store.add(*portion, _rows_or_lost(solved, len(numbers), len(portion[1])))
                 progress = replace(progress, done=progress.done + len(portion[1]))
                 if callback is not None:
                     callback(progress)
@@ -380,6 +369,27 @@ def sweep(
         hint = "" if directory is None else f", which are kept in {directory}; the same call continues from there"
         raise Interrupted(f"Stopped after {len(store)} of {len(points)} rows{hint}.", result) from None
     return result
+
+
+def _check_directory(out: object) -> Path | None:
+    if out is None:
+        return None
+    if not isinstance(out, str | Path):
+        raise InputError("out", out, "be the name of a directory", "give a string or a Path")
+    refuse_unwritable(Path(out), "out")
+    return Path(out)
+
+
+def _missing_portions(points: Points, size: int, stored: Container[int]) -> Iterator[Portion]:
+    for portion, first in enumerate(range(0, len(points), size)):
+        if portion not in stored:
+            rows = points.solved_at(first, min(first + size, len(points))).tolist()
+            yield portion, rows, points.values(rows)
+
+
+def _rows_or_lost(solved: list[Row] | LostError, numbers: int, count: int) -> list[Row]:
+    """Return solved rows, or as many without numbers where their process was lost."""
+    return [Row((math.nan,) * numbers, str(solved))] * count if isinstance(solved, LostError) else solved
 
 
 def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:

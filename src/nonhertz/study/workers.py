@@ -82,10 +82,7 @@ class Workers:
         solve, source, unfinished = partial(_run_in_units, current_units().code, solve), iter(items), True
         while unfinished:
             lost: list[Item] = []
-            if self._executor is None:
-                made = _pool(processes) if self._client is None else self._client.get_executor(pure=False)
-                self._executor = self._open.enter_context(made)
-            for item, future in self._flow(self._executor, solve, source, processes):
+            for item, future in self._flow(self._start(processes), solve, source, processes):
                 error = future.exception()
                 if isinstance(error, BrokenProcessPool):
                     lost.append(item)
@@ -97,6 +94,13 @@ class Workers:
             for item in lost:
                 yield item, _run_alone(solve, item)
             unfinished = bool(lost)
+
+    def _start(self, processes: int) -> Executor:
+        """Return what runs processes, which is started once."""
+        if self._executor is None:
+            made = _pool(processes) if self._client is None else self._client.get_executor(pure=False)
+            self._executor = self._open.enter_context(made)
+        return self._executor
 
     def _flow(
         self, executor: Executor, solve: Callable[[Item], Answer], source: Iterator[Item], processes: int

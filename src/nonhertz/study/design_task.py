@@ -1,0 +1,156 @@
+"""What a design is asked for, and where its searches begin."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nonhertz.errors import InputError, NonhertzError
+from nonhertz.files.casefile import Case
+from nonhertz.files.free_forms import parse_free_form
+from nonhertz.files.planfile import Template, read_design
+from nonhertz.files.spreads import parse_bounds
+from nonhertz.inputs.checks import one_of, whole
+from nonhertz.life import ContactLoadCase, Model, lundberg_palmgren
+from nonhertz.life.spectrum import check_cases, refuse_other_than_whole
+from nonhertz.result.quantities import QUANTITIES
+from nonhertz.study.limits import limits_in
+from nonhertz.study.objective import GOALS, LIFE, PRESSURE, Task, Variable
+
+Array = NDArray[np.float64]
+
+STARTS, MOST_STARTS = 5, 100
+BEYOND = 1.2  # by how much slopes and curvatures of a start stay below their bounds at least
+
+
+def check_design(
+    case: object,
+    bounds: Mapping[str, Any] | None = None,
+    goal: str | None = None,
+    loads: Sequence[ContactLoadCase] | None = None,
+    constraints: Mapping[str, Any] | None = None,
+    model: Model | None = None,
+    n_starts: int | None = None,
+) -> tuple[Task, int]:
+    """Return the task of `optimize` and the number of starts; refuse what it refuses before it solves anything."""
+    plan: dict[str, Any] = {}
+    if isinstance(case, str | Path):
+        case, plan = read_design(case)
+    if not isinstance(case, Case):
+        remedy = "read one with nonhertz.read_case; a bearing is swept over"
+        raise InputError("case", case, "be a case of a single contact", remedy)
+    arguments: dict[str, Any] = {
+        "bounds": bounds,
+        "goal": goal,
+        "loads": loads,
+        "constraints": constraints,
+        "model": model,
+    }
+    arguments |= {"n_starts": n_starts}
+    plan |= {name: value for name, value in arguments.items() if value is not None}
+    template = Template(case.document, case.path, is_bearing=False)
+    chosen = plan.get("goal", PRESSURE)
+    one_of("goal", chosen, GOALS, "say what is to be best")
+    fatigue = plan.get("model") or lundberg_palmgren()
+    if chosen == LIFE:
+        from nonhertz.study.lives import damage
+
+        damage(fatigue)  # refuses models with a limit
+    task = Task(
+        template,
+        _variables(template, plan.get("bounds", {})),
+        _loads(case, plan.get("loads")),
+        chosen,
+        fatigue,
+        limits_in(_mapping("constraints", plan.get("constraints", {})), QUANTITIES),
+    )
+    return task, whole("n_starts", plan.get("n_starts", STARTS), 1, MOST_STARTS, "give the number of searches")
+
+
+def _mapping(name: str, value: object) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
+        raise InputError(name, value, "be a dictionary", "map paths or names to what they may be")
+    return value
+
+
+def _variables(template: Template, bounds: object) -> tuple[Variable, ...]:
+    variables: list[Variable] = []
+    for path, text in _mapping("bounds", bounds).items():
+        which = template.find_varied(path, text)
+        form = parse_free_form(path, text)
+        if form is not None:
+            variables += [Variable(path, 0.0, 1.0, form)] * form.knots
+            continue
+        variables.append(Variable(path, *parse_bounds(which, text)))
+        for end in (variables[-1].low, variables[-1].high):
+            try:
+                template.case({path: end})
+            except NonhertzError as error:
+                condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
+                remedy = "change these bounds, or what the case holds beside them"
+                raise InputError(path, text, condition, remedy) from None
+    if not variables:
+        raise InputError("bounds", bounds, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
+    return tuple(variables)
+
+
+def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
+    if loads is None:
+        if case.life.spectrum:
+            return case.life.spectrum
+        prescribed = case.prescribed
+        if prescribed.load is None or prescribed.moment is not None:
+            remedy = "give loads, each with a tilt"
+            raise InputError("case", sorted(prescribed.keywords), "have a load, and no moment, for a design", remedy)
+        return (ContactLoadCase(load=prescribed.load, share=1.0, tilt=prescribed.tilt or 0.0),)
+    cases = check_cases("loads", loads, ContactLoadCase)
+    refuse_other_than_whole("loads", cases, "give each its share")
+    return tuple(cases)
+
+
+def shares_of(task: Task, values: Mapping[str, Any]) -> list[float]:
+    """Return the variables of values."""
+    remaining = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
+    return [variable.share(next(remaining[variable.path])) for variable in task.variables]
+
+
+def find_starts(task: Task, starts: int) -> list[Array]:
+    """Return where the searches begin: at the case as it is, if it lies within the bounds, and spread between these."""
+    from scipy.stats import qmc
+
+    now = _shares_as_is(task)
+    begins = [] if now is None else [now]
+    count = math.ceil(math.log2(starts + 1))
+    spread = qmc.Sobol(len(task.variables), rng=np.random.default_rng(1)).random_base2(count)
+    for point in spread[: starts - len(begins)]:
+        x = 0.05 + 0.9 * point
+        for path in {variable.path for variable in task.variables if variable.form is not None}:
+            at = [k for k, variable in enumerate(task.variables) if variable.path == path]
+            # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
+            x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
+            x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
+        for mine, margins, _ in task.of_forms(x):
+            # Free profiles are to begin within their bounds: margins are 1 less something that grows with the squares.
+            x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
+        begins.append(x)
+    return begins
+
+
+def _shares_as_is(task: Task) -> Array | None:
+    """Return the case as it is; None if it lies outside the bounds, or does not say."""
+    from nonhertz.inputs.units import to_unit
+
+    point = []
+    for variable in task.variables:
+        parameter = task.template.known[variable.path]
+        value = parameter.value_in(task.template.document)
+        number = to_unit(variable.path, value, parameter.unit or "") if variable.form is None else None
+        if not isinstance(number, float) or not variable.low <= number <= variable.high:
+            return None
+        point.append(variable.share(number))
+    return np.array(point)
