@@ -98,7 +98,7 @@ def test_the_table_says_what_its_numbers_mean(case, run):
     assert rows["iso-16281"][3] == "60 laminae, edges as solved, e = 1.125"
     text = " ".join(printed.out.split())
     assert "1 is the life of the same bodies under Hertz's line pressure" in text
-    assert "L10 is the life of the ring, body b, that 90 % reach where all 14 rollers bear this load." in text
+    assert "L10 is the life of the ring, body b, that 90 % reach where all 14 rollers carry this load." in text
     assert "There is no absolute life" not in text
 
 

@@ -14,12 +14,12 @@ import nonhertz.report.layout
 from nonhertz.cli import main
 from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.toml import parse
-from nonhertz.report import MARK, BearingResults, compose, examined, rendered, settled
-from nonhertz.report.assumptions import Verdict, assumptions
-from nonhertz.report.differences import results
-from nonhertz.report.inputs import inputs
-from nonhertz.report.method import method
-from nonhertz.report.overview import geometry, key_numbers
+from nonhertz.report import MARK, BearingResults, compose, post_process, solve_all, to_html
+from nonhertz.report.assumptions import Verdict, judge_assumptions
+from nonhertz.report.differences import result_rows
+from nonhertz.report.inputs import collect_inputs
+from nonhertz.report.method import describe_method
+from nonhertz.report.overview import derived_quantities, key_numbers
 from nonhertz.show.beside import beside
 from nonhertz.verdict import Level
 
@@ -51,7 +51,7 @@ def numbers_of(found: BearingResults) -> dict[str, tuple[str, str]]:
 
 
 def found_in(text: str, *, compare: bool = False) -> BearingResults:
-    (found,) = examined(settled([case_of(text)]), compare=compare)
+    (found,) = post_process(solve_all([case_of(text)]), compare=compare)
     return found
 
 
@@ -123,7 +123,7 @@ def test_the_files_inside_solve_to_the_same_numbers(folder, tmp_path):
 def test_references_are_those_of_what_was_used(folder):
     """Classes name their standards; nothing is said of standards, makers and films that have no part in it."""
     example = Path(__file__).parents[2] / "examples" / "nu206-classes.toml"
-    with_classes, plain = method(found_in(example.read_text("utf-8")))[1], method(found_in(PLAIN))[1]
+    with_classes, plain = describe_method(found_in(example.read_text("utf-8")))[1], describe_method(found_in(PLAIN))[1]
     for standard in ("ISO 286-1:2010", "ISO 492:2014", "ISO 5753-1:2009", "NTN", "Pan, B. J. Hamrock"):
         assert any(standard in each for each in with_classes)
         assert not any(standard in each for each in plain)
@@ -191,7 +191,7 @@ def test_key_numbers_are_those_of_the_solution(few):
 
 
 def test_geometry_follows_from_the_dimensions(few, pair):
-    rows = dict(geometry(few))
+    rows = dict(derived_quantities(few))
     # Six on a circle: neighbours are half a pitch diameter apart.
     assert float(rows["room between neighbouring rollers"].removesuffix(" mm")) == pytest.approx(
         46.5 / 2.0 - 9.0, rel=1e-3
@@ -206,7 +206,7 @@ def test_geometry_follows_from_the_dimensions(few, pair):
     assert float(rows["mass of a roller"].removesuffix(" g")) == pytest.approx(
         np.pi / 4 * 0.9**2 * 1.0 * 7.85, rel=1e-3
     )
-    rows = dict(geometry(pair))
+    rows = dict(derived_quantities(pair))
     inner, outer = map(float, rows["contact angles at inner and outer ring"].removesuffix(" degrees").split(" and "))
     cone = 2.0 * np.degrees(np.arctan(0.5 * 0.82 / 11.6))
     assert (outer, inner) == pytest.approx((12.0, 12.0 - cone), abs=1e-3)
@@ -217,13 +217,13 @@ def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undraw
     fit = '[fit.shaft]\ndiameter = 30\ninterference = "10 um"\n[fit.housing]\ndiameter = 62\n'
     shape = '\nouter_shape = { terms = [{ waves = 2, amplitude = "4 um" }] }'
     found = found_in(PLAIN.replace("rollers = 6", f"rollers = 6{shape}") + fit)
-    entries = {entry.place: entry for group in inputs(found.case) for entry in group.entries}
+    entries = {entry.place: entry for group in collect_inputs(found.case) for entry in group.entries}
     assert (entries["fit.shaft.interference"].value, entries["fit.shaft.interference"].unit) == ("10", "µm")
     assert "waves = 2" in entries["bearing.outer_shape"].value
     # NSK: a raceway grows by d / F of the interference on a solid shaft.
-    (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(rendered([found])).text)
+    (left,) = re.findall(r"([\d.]+) µm radial, in operation", Page(to_html([found])).text)
     assert float(left) == pytest.approx(12.0 - 10.0 * 30.0 / 37.5, abs=0.005)  # the speed takes little
-    rows = {row.name: row for row in assumptions(found)}
+    rows = {row.name: row for row in judge_assumptions(found)}
     assert rows["Rings keep their shape"].number == "outer ring with a shape"
 
 
@@ -231,7 +231,7 @@ def test_a_fit_and_a_shape_are_among_the_inputs_and_the_clearance_is_told(undraw
 
 
 def test_what_is_neglected_is_named_and_not_judged(few):
-    rows = {row.name: row for row in assumptions(few)}
+    rows = {row.name: row for row in judge_assumptions(few)}
     neglected = {"Rollers do not skew", "No friction, no film", "Rings keep their shape", "Even cage", "Surfaces"}
     assert neglected <= set(rows)
     assert {rows[name].verdict for name in neglected} == {Verdict.OPEN}
@@ -244,7 +244,7 @@ def test_what_is_neglected_is_named_and_not_judged(few):
 def test_a_strained_contact_is_found_wherever_it_is():
     """Crowns as sharp as the rollers are round make contacts that are wider than long, at the outer ring first."""
     found = found_in(PLAIN.replace("radius = 1200", "radius = 4.3").replace("5 kN", "100 N"))
-    rows = {row.name: row for row in assumptions(found)}
+    rows = {row.name: row for row in judge_assumptions(found)}
     wide = rows["Strips across a contact that is long"]
     assert wide.verdict is Verdict.STRAINED
     inner, outer = map(float, re.findall(r"([\d.]+) at the", wide.number))
@@ -260,15 +260,15 @@ def test_too_high_a_pressure_and_too_large_a_tilt_are_told(few):
     found = found_in(hardened.replace("5 kN", "60 kN").replace("0.2 mrad", "0 mrad"))
     assert found.solution.max_pressure.max() > 4000.0
     assert (found.verdict.level, few.verdict.level is Level.NOT_MET) == (Level.NOT_MET, False)
-    rows = {row.name: row for row in assumptions(found)}
+    rows = {row.name: row for row in judge_assumptions(found)}
     assert rows["Contact angles stay as they are"].verdict is Verdict.HOLDS
     tilted = found_in(PLAIN.replace("0.2 mrad", "11 mrad") + SLICES)
-    rows = {row.name: row for row in assumptions(tilted)}
+    rows = {row.name: row for row in judge_assumptions(tilted)}
     assert rows["Contact angles stay as they are"].verdict is Verdict.STRAINED
 
 
 def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
-    (rib,) = [row for row in assumptions(pair) if row.name.startswith("Ellipse on the ribs")]
+    (rib,) = [row for row in judge_assumptions(pair) if row.name.startswith("Ellipse on the ribs")]
     ellipse = max(
         (pair.solution.rib_contact(j) for j in range(12)), key=lambda each: 0.0 if each is None else each.load
     )
@@ -277,7 +277,7 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
     assert rib.verdict is (Verdict.STRAINED if ellipse.half_length > edge else Verdict.HOLDS)
     assert "bearing.rib.edge" in rib.remark
     guessed = found_in(TAPERED.replace("rib = { end_radius = 140, height = 4.8 }\n", ""))
-    (rib,) = [row for row in assumptions(guessed) if row.name.startswith("Ellipse on the ribs")]
+    (rib,) = [row for row in judge_assumptions(guessed) if row.name.startswith("Ellipse on the ribs")]
     assert "is a guess" in rib.remark
 
 
@@ -286,8 +286,8 @@ def test_ribs_are_judged_by_the_edge_that_the_ellipse_reaches(pair):
 
 @pytest.mark.slow
 def test_several_bearings_are_compared_with_the_first():
-    found = examined(settled([case_of(PLAIN), case_of(PLAIN.replace("12 um", "30 um").replace("five", "six"))]))
-    rows = {name: cells for name, *cells in beside(results(found), ["a", "b"]).rows}
+    found = post_process(solve_all([case_of(PLAIN), case_of(PLAIN.replace("12 um", "30 um").replace("five", "six"))]))
+    rows = {name: cells for name, *cells in beside(result_rows(found), ["a", "b"]).rows}
     loads = [each.solution.load.max() for each in found]
     change = float(rows["largest load of a contact [kN]"][1].remark.rstrip(" %"))
     assert change == pytest.approx(100.0 * (loads[1] / loads[0] - 1.0), rel=5e-3)  # three digits are shown
@@ -299,7 +299,7 @@ def test_several_bearings_are_compared_with_the_first():
 def test_classes_in_place_of_numbers_are_among_the_inputs():
     classes = changed(PLAIN, ('kind = "cylindrical"', 'kind = "cylindrical"\nbore = 30\noutside_diameter = 62'))
     case = case_of(classes + '[fit]\nshaft = "k5"\nhousing = { fit = "J7", temperature = 40 }\n')
-    entries = {entry.place: entry for group in inputs(case) for entry in group.entries}
-    assert (entries["fit.shaft.fit"].shown, entries["fit.shaft.fit"].written) == ("k5", "")
-    assert entries["fit.housing.fit"].shown == "J7"
-    assert entries["fit.housing.temperature"].shown.startswith("40")
+    entries = {entry.place: entry for group in collect_inputs(case) for entry in group.entries}
+    assert (entries["fit.shaft.fit"].value_with_unit, entries["fit.shaft.fit"].written) == ("k5", "")
+    assert entries["fit.housing.fit"].value_with_unit == "J7"
+    assert entries["fit.housing.temperature"].value_with_unit.startswith("40")

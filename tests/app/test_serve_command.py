@@ -10,7 +10,7 @@ import pytest
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
 from nonhertz.files.casefile import read_case, starting_case
-from nonhertz.show.solving import solved
+from nonhertz.show.solving import solve_case
 from nonhertz.web import limits
 from nonhertz.web.server import serving
 from nonhertz.web.view import jobs
@@ -51,7 +51,7 @@ def test_files_that_a_case_names_become_points(case):
     assert document["body"]["a"]["profile"][1] == points | {"interpolation": "pchip", "scale": 2.0}
     assert document["body"]["b"]["profile"] == [points | {"interpolation": "linear"}]
     read = json.loads(jobs.solve(document, False, "a"))
-    assert read["key"]["approach"] == solved(read_case(case)).approach
+    assert read["key"]["approach"] == solve_case(read_case(case)).approach
 
 
 def test_of_many_points_some_are_kept(case):

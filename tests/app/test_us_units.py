@@ -24,10 +24,10 @@ from nonhertz.files.toml import parse
 from nonhertz.report import compose
 from nonhertz.show import bearing as of_bearing
 from nonhertz.show import stresses
-from nonhertz.show.analysis import assessed, largest_stresses, models_for, spectrum_solved
+from nonhertz.show.analysis import assess_lives, choose_models, largest_stresses, solve_loads
 from nonhertz.show.lives import sections as life_sections
 from nonhertz.show.sections import Section, Table, with_columns_of_remarks
-from nonhertz.show.solving import solved
+from nonhertz.show.solving import solve_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CASE = EXAMPLES / "roller-15x20.toml"
@@ -187,13 +187,13 @@ def sections_in(units: str, made: Callable[[], list[Section]]) -> list[Section]:
 
 @pytest.mark.slow
 def test_columns_are_converted_with_their_heads():
-    contact, nu206 = solved(read_case(CASE)), read_bearing(EXAMPLES / "nu206.toml")
+    contact, nu206 = solve_case(read_case(CASE)), read_bearing(EXAMPLES / "nu206.toml")
     strips, slices = nu206.solve("strips"), nu206.solve("slices")
     largest, text = largest_stresses(contact), CASE.read_text(encoding="utf-8")
     for load in (9e3, 5e3):
         text += f"[[life.spectrum]]\nload = {load}\ntilt = 1e-4\nshare = 0.5\n"
     spectrum = Case.of(parse(text, "case.toml"), CASE)
-    lives = assessed(spectrum, spectrum_solved(spectrum), models_for(spectrum, ("iso-16281",))[0])
+    lives = assess_lives(spectrum, solve_loads(spectrum), choose_models(spectrum, ("iso-16281",))[0])
     seen = 0
     for made in (
         lambda: stresses.sections(contact, *largest, ()),
@@ -222,7 +222,7 @@ SIZES = {"[in]": INCH, "[µin]": 1e-3 * INCH, "[ksi]": KSI, "[lbf]": 1e-3 * POUN
 @cache
 def drawn() -> tuple[Any, ...]:
     """Return a contact, its largest stresses and a bearing."""
-    solution = solved(read_case(CASE))
+    solution = solve_case(read_case(CASE))
     return solution, largest_stresses(solution), read_bearing(EXAMPLES / "nu206.toml").solve()
 
 

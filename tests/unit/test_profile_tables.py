@@ -14,7 +14,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.profiles import needed_keys
 from nonhertz.files.schemas import schema_of
 from nonhertz.model.profile import CATALOGUE
-from nonhertz.report.inputs import inputs
+from nonhertz.report.inputs import collect_inputs
 
 ROLLER = "diameter = 16\nlength = 20"
 CORNERED = ROLLER + "\ncorner_radius = 0.5"
@@ -205,8 +205,8 @@ def test_the_schema_needs_a_size_or_a_drop():
 
 def test_a_report_shows_what_a_drop_determined():
     def entries(made):
-        profile = (entry for entry in inputs(made)[0].entries if ".profile" in entry.place)
-        return {entry.place.rpartition(".")[2]: (entry.shown, entry.default) for entry in profile}
+        profile = (entry for entry in collect_inputs(made)[0].entries if ".profile" in entry.place)
+        return {entry.place.rpartition(".")[2]: (entry.value_with_unit, entry.default) for entry in profile}
 
     shown = entries(case("kind = 'crown', drop = '20 um'", CORNERED))
     assert shown["radius"] == ("2256.26 mm", False)

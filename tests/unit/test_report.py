@@ -15,20 +15,20 @@ import nonhertz as nh
 from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.toml import parse
-from nonhertz.report import CaseResults, examined, settled, steps
-from nonhertz.report.assumptions import Verdict, assumptions
-from nonhertz.report.differences import differing_inputs, results
-from nonhertz.report.downloads import downloads
-from nonhertz.report.inputs import inputs
-from nonhertz.report.layout import linked
-from nonhertz.report.method import method
-from nonhertz.report.overview import key_numbers, opening
-from nonhertz.report.page import compose, rendered
+from nonhertz.report import CaseResults, count_steps, post_process, solve_all
+from nonhertz.report.assumptions import Verdict, judge_assumptions
+from nonhertz.report.differences import compare_inputs, result_rows
+from nonhertz.report.downloads import collect_downloads
+from nonhertz.report.inputs import collect_inputs
+from nonhertz.report.layout import with_links
+from nonhertz.report.method import describe_method
+from nonhertz.report.overview import key_numbers, opening_sentence
+from nonhertz.report.page import compose, to_html
 from nonhertz.result.status import Status
 from nonhertz.show.beside import beside
 from nonhertz.show.lives import compared_section
 from nonhertz.show.sections import Cell
-from nonhertz.show.solving import solved
+from nonhertz.show.solving import solve_case
 
 TITLE = "Roller & <script>alert('title')</script>"
 POINTS = "y, relief\n" + "".join(f"{y}, {1e-5 * y**4}\n" for y in range(-7, 8))
@@ -59,7 +59,7 @@ def case_of(text: str, name: str = "case.toml") -> Case:
 
 
 def found_in(text: str, name: str = "case.toml") -> CaseResults:
-    (found,) = settled([case_of(text, name)])
+    (found,) = solve_all([case_of(text, name)])
     assert isinstance(found, CaseResults)
     return found
 
@@ -74,13 +74,13 @@ def results_of_case(tmp_path_factory):
     (folder / "points").mkdir()
     (folder / "points/a.csv").write_text(POINTS, encoding="utf-8")
     (folder / "roller.toml").write_text(CASE, encoding="utf-8")
-    (found,) = examined(settled([read_case(folder / "roller.toml")]))
+    (found,) = post_process(solve_all([read_case(folder / "roller.toml")]))
     return found
 
 
 @pytest.fixture(scope="module")
 def text(results_of_case):
-    return rendered([results_of_case])
+    return to_html([results_of_case])
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +133,7 @@ def test_the_files_inside_solve_to_the_same_numbers(page, results_of_case, tmp_p
     (tmp_path / "points").mkdir()
     (tmp_path / "points/a.csv").write_bytes(files["a.csv"])
     (tmp_path / "roller.toml").write_bytes(files["roller.toml"])
-    again = solved(read_case(tmp_path / "roller.toml"))
+    again = solve_case(read_case(tmp_path / "roller.toml"))
     told = json.loads(files["roller-result.json"])
     assert (again.approach, again.centre_pressure.tolist()) == (told["approach"], told["centre_pressure"])
     assert files["roller-table.csv"].count(b"\n") == 16
@@ -146,13 +146,13 @@ def test_key_numbers_stand_first(results_of_case):
     assert results_of_case.stress is not None
     largest = results_of_case.stress[0].von_mises.max
     assert shown["von Mises stress"] == pytest.approx(largest, rel=5e-4)
-    assert opening(results_of_case) == (
+    assert opening_sentence(results_of_case) == (
         "A roller (diameter 15 mm, length 15 mm, steel) and a ring (diameter 60 mm, steel) under a load of 4 kN."
     )
 
 
 def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
-    body, other, load, solver = inputs(case_of(PLAIN))
+    body, other, load, solver = collect_inputs(case_of(PLAIN))
     entries = {entry.place: entry for entry in (*body.entries, *other.entries, *load.entries, *solver.entries)}
     assert (entries["body.a.diameter"].value, entries["body.a.diameter"].unit) == ("15", "mm")
     assert not entries["body.a.diameter"].default
@@ -212,16 +212,16 @@ def test_a_strained_assumption_is_one_that_the_solver_warns_of(name):
     changed = PLAIN.replace(old, new)
     assert changed != PLAIN
     found = found_in(changed)
-    told = {each.name: each.verdict for each in assumptions(found)}
+    told = {each.name: each.verdict for each in judge_assumptions(found)}
     assert told[assumption] is verdict
     assert found.solution.warnings
     fine = found_in(PLAIN)
     assert fine.solution.warnings == ()
-    assert {each.verdict for each in assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
+    assert {each.verdict for each in judge_assumptions(fine)} == {Verdict.HOLDS, Verdict.OPEN}
 
 
 def test_references_become_links_and_stay_escaped():
-    told = str(linked("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
+    told = str(with_links("A & B, doi:10.1000/1.2; https://example.org/a.html, <i>."))
     assert '<a href="https://doi.org/10.1000/1.2" rel="noreferrer">doi:10.1000/1.2</a>;' in told
     assert '<a href="https://example.org/a.html" rel="noreferrer">https://example.org/a.html</a>,' in told
     assert told.startswith("A &amp; B")
@@ -233,19 +233,19 @@ def test_two_cases_are_compared_by_what_differs():
     other = PLAIN.replace("4 kN", "8 kN").replace("diameter = 60", "diameter = 60\nposition = 0")
     pair = [case_of(PLAIN, "first.toml"), case_of(other, "second.toml")]
     # A default that is written down is no difference.
-    differing, same, notes = differing_inputs([inputs(each) for each in pair])
+    differing, same, notes = compare_inputs([collect_inputs(each) for each in pair])
     assert differing == [("load", "4000 N", "8000 N")]
     assert notes == ["More than shapes differs, so that not all numbers compare: load."]
     assert {row[0]: row[1] for row in same}["body a, diameter"] == "15 mm"
     assert "body b, position" in {row[0] for row in same}
     assert "body a, side faces" not in {row[0] for row in same}
-    found = settled(pair)
-    rows = {name: cells for name, *cells in beside(results(found), ["first", "second"]).rows}
+    found = solve_all(pair)
+    rows = {name: cells for name, *cells in beside(result_rows(found), ["first", "second"]).rows}
     assert [cell.remark for cell in rows["load [kN]"]] == ["", "+100 %"]
     ratio = found[1].solution.max_pressure / found[0].solution.max_pressure
     change = float(rows["maximum pressure [MPa]"][1].remark.rstrip(" %"))
     assert change == pytest.approx(100.0 * (ratio - 1.0), rel=5e-3)  # three digits are told
-    text = rendered(found)
+    text = to_html(found)
     page = Page(text)
     assert "first and second compared" in page.text
     first, second = (f"{each.solution.max_pressure:.1f} MPa in {each.label}" for each in found)
@@ -270,25 +270,25 @@ def test_two_cases_are_compared_by_what_differs():
 )
 def test_cases_of_one_title_are_told_apart(names, told):
     cases = [case_of(PLAIN, name) for name in names]
-    assert [each.label for each in settled(cases)] == told
+    assert [each.label for each in solve_all(cases)] == told
 
 
 def test_lives_are_told_where_the_case_asks_and_compared():
     asked = PLAIN + '[life]\nmodels = ["iso-16281"]\n'
-    pair = settled([case_of(asked, "a.toml"), case_of(asked.replace("4 kN", "2 kN"), "b.toml")])
-    assert [steps(pair, life=life, stress=False) for life in (None, True, False)] == [4, 4, 0]
-    assert steps([found_in(PLAIN)], stress=True) == 2
+    pair = solve_all([case_of(asked, "a.toml"), case_of(asked.replace("4 kN", "2 kN"), "b.toml")])
+    assert [count_steps(pair, life=life, stress=False) for life in (None, True, False)] == [4, 4, 0]
+    assert count_steps([found_in(PLAIN)], stress=True) == 2
     announced: list[str] = []
-    found = examined(pair, stress=False, announce=announced.append)
+    found = post_process(pair, stress=False, announce=announced.append)
     assert len(announced) == 4
     assert found[0].lives is not None
     row_a, _ = compared_section([(each.label, each.lives) for each in found]).blocks[0].rows
     ratio = found[1].lives.over(found[0].lives, "a", 0) if found[1].lives else 0.0
     assert float(row_a[2].remark.lstrip("× ")) == pytest.approx(ratio, rel=1e-3)
     assert ratio > 5.0  # half the load lives longer by a power of about 4 and what the edges add
-    assert "a-life.json" in {each.name for each in downloads(found[0])}
-    assert any("ISO/TS 16281" in each for each in method(found[0])[1])
-    assert examined(pair, life=False, stress=False)[0].lives is None
+    assert "a-life.json" in {each.name for each in collect_downloads(found[0])}
+    assert any("ISO/TS 16281" in each for each in describe_method(found[0])[1])
+    assert post_process(pair, life=False, stress=False)[0].lives is None
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -302,10 +302,10 @@ def test_a_case_that_has_not_converged_is_told_as_such(results_of_case):
         complaint="It stopped.",
         stress=None,
     )
-    (found,) = examined([stopped], life=True)
+    (found,) = post_process([stopped], life=True)
     assert found.stress is found.lives is None
-    assert assumptions(found)[0].verdict is Verdict.NOT_MET
-    page = Page(rendered([found]))
+    assert judge_assumptions(found)[0].verdict is Verdict.NOT_MET
+    page = Page(to_html([found]))
     assert "Not solved. It stopped." in page.text
     assert "stagnated" in page.text
     # Nor are the points there, as where they are too many.
@@ -355,7 +355,7 @@ def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch
             return 0.0 * np.asarray(y)
 
     roller = nh.Roller(diameter=10, length=10, profile=Own())
-    monkeypatch.setattr("nonhertz.report.results.attempted", lambda _: pytest.fail("it was solved"))
+    monkeypatch.setattr("nonhertz.report.results.try_solve", lambda _: pytest.fail("it was solved"))
     with pytest.raises(nh.InputError, match=r"^body\.a\.profile = 'Own' must be from the catalogue"):
         compose([nh.Case(nh.Contact(roller, nh.Plate()), {"load": 300.0})])
 
@@ -363,7 +363,7 @@ def test_a_case_that_no_file_can_hold_is_refused_before_it_is_solved(monkeypatch
 def test_without_strengths_the_report_leaves_the_question_open(results_of_case):
     (only,) = results_of_case.strengths
     assert only.body == "a"
-    shown = {each.name: each for each in assumptions(results_of_case)}
+    shown = {each.name: each for each in judge_assumptions(results_of_case)}
     assert shown["Linear elastic below the surface of body a"].verdict is Verdict.OPEN
 
 
@@ -371,7 +371,7 @@ def test_without_strengths_the_report_leaves_the_question_open(results_of_case):
 def test_whether_both_bodies_bear_it_is_told():
     strong = "material = { modulus = 207000, poisson = 0.3, yield_strength = 1500 }"
     text = PLAIN.replace("[body.b]", f"{strong}\n[body.b]\n{strong.replace('1500', '100')}")
-    (found,) = examined(settled([case_of(text)]))
-    shown = {each.name: each.verdict for each in assumptions(found)}
+    (found,) = post_process(solve_all([case_of(text)]))
+    shown = {each.name: each.verdict for each in judge_assumptions(found)}
     told = [shown[f"Linear elastic below the surface of body {body}"] for body in "ab"]
     assert told == [Verdict.HOLDS, Verdict.NOT_MET]

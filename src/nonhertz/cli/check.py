@@ -23,7 +23,7 @@ from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES, Body
-from nonhertz.show.solving import attempted
+from nonhertz.show.solving import try_solve
 from nonhertz.study.design_task import check_design
 from nonhertz.study.points import Points
 from nonhertz.study.quantities import choose_quantities
@@ -76,7 +76,7 @@ def _describe_content(path: Path, changes: Mapping[str, Any]) -> str:
 
 def _describe_contact(case: Case) -> str:
     # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
-    solution, _ = attempted(case)
+    solution, _ = try_solve(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _list_inputs(case.prescribed)
     content = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
     bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}

@@ -19,9 +19,9 @@ from nonhertz.files.toml import name_file_in_errors
 from nonhertz.inputs.files import printable_name
 from nonhertz.life import MODELS
 from nonhertz.plot import dent_figure, life_figure
-from nonhertz.show.analysis import assessed, models_for, spectrum_solved
+from nonhertz.show.analysis import assess_lives, choose_models, solve_loads
 from nonhertz.show.lives import compared_section, sections
-from nonhertz.show.sections import Said, Section, assumed_section
+from nonhertz.show.sections import Notes, Section, assumed_section
 from nonhertz.verdict import worst_verdict
 
 if TYPE_CHECKING:
@@ -62,17 +62,17 @@ def life(
         with name_file_in_errors(compared):
             cases.append(read_case(compared, changes))
     refuse_unwritable_out(out)
-    models, notes = models_for(cases[0], model, cases[1:])
+    models, notes = choose_models(cases[0], model, cases[1:])
     assessments: list[Assessment] = []
     with Progress(sum(life_case.life.steps for life_case in cases)) as progress:
         for life_case in cases:
             with name_file_in_errors(life_case.path) if assessments else contextlib.nullcontext():
                 try:
-                    spectrum = spectrum_solved(life_case)
+                    spectrum = solve_loads(life_case)
                 except ConvergenceError as error:
                     sentence = f"{life_case.path}: {error}" if assessments else str(error)
                     raise ConvergenceError(sentence, error.solution) from None
-                assessments.append(assessed(life_case, spectrum, models, notes, progress.announce))
+                assessments.append(assess_lives(life_case, spectrum, models, notes, progress.announce))
     first, other = assessments[0], assessments[1] if len(assessments) > 1 else None
     names = (f"in {printable_name(str(life_case.path))}" for life_case in cases)
     verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
@@ -100,8 +100,8 @@ def _list_sections(files: Sequence[Path], first: Assessment, other: Assessment |
     shown = []
     for file, (assessment, (section,)) in zip(files, parts, strict=True):
         lead = "compared with " * (assessment is other)
-        head = Said([f"{lead}{printable_name(str(file))}: {assessment.title}"] * len(files[1:]), "head")
-        warned = Said([f"warning: {one}" for one in assessment.warnings], "warning")
+        head = Notes([f"{lead}{printable_name(str(file))}: {assessment.title}"] * len(files[1:]), "head")
+        warned = Notes([f"warning: {one}" for one in assessment.warnings], "warning")
         shown.append(Section(section.title, [head, *section.blocks, warned]))
     if other is not None:
         names = [printable_name(str(file)) for file in files]

@@ -10,7 +10,7 @@ from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import rename_fields
 from nonhertz.files.materials import as_object
 from nonhertz.model.materials import LIBRARY, Entry, find_entry
-from nonhertz.show.sections import Said, Section, Table
+from nonhertz.show.sections import Notes, Section, Table
 
 
 def materials(name: str | None = None, /) -> Answer:
@@ -39,7 +39,7 @@ def materials(name: str | None = None, /) -> Answer:
         )
         words = [f"{what}: {words}" for what, words in details if words]
     heads = ("", f"E [{unit}]", "nu", yielding, core, "hardness", limit)
-    shown = [Section("", [Table(rows, heads, (0,)), Said(words)])]
+    shown = [Section("", [Table(rows, heads, (0,)), Notes(words)])]
     return Answer("", shown, lambda: json.dumps(as_object(entries), indent=2, ensure_ascii=False))
 
 

@@ -14,8 +14,8 @@ from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.nodes import as_object, as_table, read_nodes
 from nonhertz.files.results import key_by_key
 from nonhertz.result.nodes import NodalLoads
-from nonhertz.show.sections import Said, Section
-from nonhertz.show.solving import solved
+from nonhertz.show.sections import Notes, Section
+from nonhertz.show.solving import solve_case
 from nonhertz.verdict import judge_contact
 
 _NOTICED = 1e-6  # of the load
@@ -49,11 +49,11 @@ def nodes(
     with rename_fields(path="NODES"):
         mesh = read_nodes(nodes)
     refuse_unwritable_file(path)
-    solution = solved(read)
+    solution = solve_case(read)
     loads = solution.at_nodes(mesh.x, mesh.y)
     made = write_files(path.parent, {path.name: as_table(mesh, loads)})
     shown, text = _describe_loads(solution, loads), lambda: key_by_key(as_object(solution, loads, read.title))
-    return Answer(read.title, [Section("", [Said(shown)])], text, judge_contact(solution), solution.warnings, made)
+    return Answer(read.title, [Section("", [Notes(shown)])], text, judge_contact(solution), solution.warnings, made)
 
 
 def _describe_loads(solution: Solution, loads: NodalLoads) -> list[str]:

@@ -17,7 +17,7 @@ from rich.progress import Progress as Bar
 from rich.table import Table as Grid
 from rich.text import Text
 
-from nonhertz.show.sections import SUMMARY, Said, Section, Table, shown_columns, with_columns_of_remarks
+from nonhertz.show.sections import SUMMARY, Notes, Section, Table, shown_columns, with_columns_of_remarks
 from nonhertz.verdict import Level, Verdict
 
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
@@ -68,11 +68,11 @@ def print_result(
     print_written(written)
 
 
-def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Said]]:
+def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Notes]]:
     """Return what stands together without an empty line; summaries that follow each other are one table."""
-    groups: list[list[Table | Said]] = []
+    groups: list[list[Table | Notes]] = []
     for section in sections:
-        blocks = [block for block in section.blocks if isinstance(block, Table | Said) and len(block)]
+        blocks = [block for block in section.blocks if isinstance(block, Table | Notes) and len(block)]
         if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
             groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
             groups[-1] += blocks[1:]
@@ -81,7 +81,7 @@ def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Said]]:
     return groups
 
 
-def _is_summary(block: Table | Said) -> TypeGuard[Table]:
+def _is_summary(block: Table | Notes) -> TypeGuard[Table]:
     return isinstance(block, Table) and block.layout == SUMMARY
 
 

@@ -17,8 +17,8 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
-from nonhertz.report import MARK, examined, rendered, settled, steps
-from nonhertz.report.results import of_each, of_one_kind
+from nonhertz.report import MARK, count_steps, post_process, solve_all, to_html
+from nonhertz.report.results import make_all, require_one_kind
 
 _REMEDY = "give the name of a file such as report.html"
 _NEAR = 2000  # characters at the beginning of a report, which include its mark
@@ -75,9 +75,9 @@ def report(
     cases = (case, *more)
     path = _target(out, cases)
     with without_accuracy_warnings():  # which the report shows
-        read = of_each(cases, lambda path: path, lambda path: read_any(path, changes))
+        read = make_all(cases, lambda path: path, lambda path: read_any(path, changes))
     with rename_fields(cases="CASE"):
-        first = of_one_kind(read)[0]
+        first = require_one_kind(read)[0]
     if not no_date:
         block = block.over(first.title_block).dated()
     if compare and isinstance(first, Case):
@@ -85,11 +85,11 @@ def report(
         raise InputError("--compare", str(first.path), "be used with bearing files", remedy)
     refuse_unwritable_file(path)
     with Progress(len(read)) as progress:
-        studies = settled(read, progress.announce)
-    with Progress(steps(studies, life=life, stress=stress) + 1) as progress:
-        studies = examined(studies, life=life, stress=stress, compare=compare, announce=progress.announce)
+        studies = solve_all(read, progress.announce)
+    with Progress(count_steps(studies, life=life, stress=stress) + 1) as progress:
+        studies = post_process(studies, life=life, stress=stress, compare=compare, announce=progress.announce)
         progress.announce("figures")
-        text = rendered(studies, block)
+        text = to_html(studies, block)
     print_written(write_files(path.parent, {path.name: text}))
     sys.stdout.flush()
     failed = [study for study in studies if study.complaint]

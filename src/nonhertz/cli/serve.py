@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case, starting_case
 from nonhertz.files.toml import file_kind, load_document, parse
-from nonhertz.web.form.inlining import inlined
+from nonhertz.web.form.inlining import inline_files
 from nonhertz.web.limits import refuse, too_slow, unfit
 from nonhertz.web.server.serving import serve as serve_page
 
@@ -65,6 +65,6 @@ def starting_document(path: Path | None) -> Start:
         return Start(parse(text, "case.toml"), (), text)
     document, _, text = load_document(path, "case", "bearing")
     case = (BearingCase if file_kind(document) == "bearing" else Case).of(document, path)
-    changed, notes = inlined(case)
+    changed, notes = inline_files(case)
     refuse(unfit(changed) + too_slow(changed))
     return Start({"title": case.title} | changed, notes, text)

@@ -16,7 +16,7 @@ from nonhertz.files.several import HEAD, Attempt, name_folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
 from nonhertz.result.tables import csv_text
 from nonhertz.show.sections import Section
-from nonhertz.show.solving import attempted
+from nonhertz.show.solving import try_solve
 from nonhertz.show.summary import overview_table, sections
 from nonhertz.verdict import judge_contact, worst_verdict
 
@@ -46,7 +46,7 @@ def solve(
     if more or (out is not None and _is_table(out)):
         return _solve_several((case, *more), changes, out)
     read = read_case(case, changes)
-    solution, complaint = attempted(read)
+    solution, complaint = try_solve(read)
     result = Result(read, solution)
     shown = sections(solution, read)
     return Answer(
@@ -83,7 +83,7 @@ def _attempt_case(path: Path, changes: Mapping[str, Any]) -> Attempt:
     case = None
     try:
         case = read_case(path, changes)
-        solution, complaint = attempted(case)
+        solution, complaint = try_solve(case)
     except CaseError as error:
         return Attempt(path, case, complaints=tuple(error.mistakes))
     return Attempt(path, case, solution, (complaint,) if complaint else ())

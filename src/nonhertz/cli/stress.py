@@ -18,7 +18,7 @@ from nonhertz.model.profile.base import at_ends
 from nonhertz.plot import stress_figures, stress_planes
 from nonhertz.show.analysis import largest_stresses
 from nonhertz.show.sections import assumed_section
-from nonhertz.show.solving import solved
+from nonhertz.show.solving import solve_case
 from nonhertz.show.stresses import sections
 from nonhertz.strength import assess
 from nonhertz.verdict import judge_contact
@@ -59,7 +59,7 @@ def stress(
     name = BODIES[BODIES.index(body)]
     read = read_case(case, changes)
     refuse_unwritable_out(out)
-    solution = solved(read)
+    solution = solve_case(read)
     low, high = getattr(solution.contact, name).faces
     if station is not None and not low <= float(at_ends(station, (low, high))) <= high:
         condition = f"lie between the side faces of body {name}, {mm(low, high, between=' and '):.6g}"

@@ -23,7 +23,7 @@ def number(value: float, digits: int = 4) -> str:
     return format_input(value, digits).replace("-", "−").replace("inf", "∞")
 
 
-def written(found: Amount, digits: int = 4) -> str:
+def written(value: Amount, digits: int = 4) -> str:
     """Return numbers to so many significant digits with their unit, as `number` writes them.
 
     Examples
@@ -32,7 +32,7 @@ def written(found: Amount, digits: int = 4) -> str:
     >>> written(mpa(2431.7)), written(mm(-1.5, 0.25, between=" and "))
     ('2432 MPa', '−1.5 and 0.25 mm')
     """
-    return f"{found:.{digits}g}".replace("-", "−")
+    return f"{value:.{digits}g}".replace("-", "−")
 
 
 def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Mapping, Sequence
+from itertools import chain, zip_longest
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Final
 
 from nonhertz.figures.value import (
@@ -57,7 +59,7 @@ APART: Final = 1.7  # by which a second panel on the same axes is drawn lower
 
 def sheet_of(figure: Figure, title: str = "") -> Sheet:
     """Return a sheet with the panels of a figure, round ones side by side, all others one below the other."""
-    sheet = _laid_out(figure, title)
+    sheet = _make_sheet(figure, title)
     NUMBERS[sheet] = figure
     return sheet
 
@@ -68,7 +70,7 @@ def sheets_of(figures: Mapping[str, Figure], title: str = "") -> dict[str, Sheet
         return {name: sheet_of(figure, title) for name, figure in figures.items()}
 
 
-def _laid_out(figure: Figure, title: str) -> Sheet:
+def _make_sheet(figure: Figure, title: str) -> Sheet:
     first = figure.panels[0]
     if first.round:
         return round_sheet(figure, title, _lines(figure.conditions))
@@ -76,13 +78,19 @@ def _laid_out(figure: Figure, title: str) -> Sheet:
         return _sheet_of_rows(figure, title)
     if first.proportional:
         return _proportional_sheet(figure, title)
-    words = "; ".join([figure.conditions, *(panel.remark for panel in figure.panels if panel.remark)])
-    heights, keys = [panel.height / DOTS for panel in figure.panels], _keys(figure.panels)
+    return _stacked_sheet(figure, title)
+
+
+def _stacked_sheet(figure: Figure, title: str) -> Sheet:
+    """Return a sheet of panels one below the other, those of colours with one bar beside them."""
+    first, keys = figure.panels[0], _keys(figure.panels)
+    heights = [panel.height / DOTS for panel in figure.panels]
     if first.colours:
         sheet, axes = stacked([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
         draw_colour_bar(first, axes[-1], cax=bar_beside(*axes, most=2.0 * heights[0] + HEAD))
     else:
-        rows = [_rows_of_key(key, WIDTH - LEFT - MARGIN) or 1 for key in keys]
+        words = "; ".join(filter(None, [figure.conditions, *(panel.remark for panel in figure.panels)]))
+        rows = [max(_rows_of_key(key, WIDTH - LEFT - MARGIN), 1) for key in keys]
         sheet, axes = stacked([HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words))
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
@@ -109,17 +117,23 @@ def _lines(words: str) -> list[str]:
     return lines
 
 
-def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
-    """Return a sheet of rows of panels beside each other; what is around them decides how large they are."""
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
-
+def _rows(panels: Sequence[Panel]) -> list[list[Panel]]:
+    """Return panels by rows: a panel beside another is in its row."""
     rows: list[list[Panel]] = []
-    for panel in figure.panels:
+    for panel in panels:
         if panel.beside:
             rows[-1].append(panel)
         else:
             rows.append([panel])
-    heights = [max(panel.height for panel in row) / DOTS for row in rows]
+    return rows
+
+
+def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
+    """Return a sheet of rows of panels beside each other; what is around them decides how large they are."""
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+    rows = _rows(figure.panels)
+    heights = [max(map(attrgetter("height"), row)) / DOTS for row in rows]
     keys = dict(zip(figure.panels, _keys(figure.panels), strict=True))
     lines = [max(_rows_of_key(keys[panel], (WIDTH - AROUND) / len(row)) for panel in row) for row in rows]
     further = sum(max(_wrapped(panel.remark, WIDTH / len(row) - AROUND).count("\n") for panel in row) for row in rows)
@@ -127,9 +141,19 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     drawn = sheet(height, title, _lines(figure.conditions), EDGE)
     layout = ConstrainedLayoutEngine(rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
     drawn.set_layout_engine(layout)
+    several = _draw_rows(rows, heights, figure, drawn)
+    # Legends and headings fit into the width that is left to the panels.
+    layout.execute(drawn)
+    for place, (panel, key) in enumerate(keys.items()):
+        _frame(panel, figure, key, *several[place:])
+    return drawn
+
+
+def _draw_rows(rows: Sequence[Sequence[Panel]], heights: Sequence[float], figure: Figure, drawn: Sheet) -> list[Axes]:
+    """Draw rows of panels on a sheet, and return their axes."""
     columns = math.lcm(*map(len, rows))
     grid = drawn.add_gridspec(len(rows), columns, height_ratios=heights)
-    several = []
+    several: list[Axes] = []
     for place, row in enumerate(rows):
         width = columns // len(row)
         # An axis along is labelled where the row below has another.
@@ -139,11 +163,7 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
             draw_panel(panel, figure, several[-1], last=last, most=TICKS // (2 if panel.height < FLAT else len(row)))
             if column and panel.upright.title() == row[0].upright.title():
                 several[-1].set_ylabel("")
-    # Legends and headings fit into the width that is left to the panels.
-    layout.execute(drawn)
-    for place, (panel, key) in enumerate(keys.items()):
-        _frame(panel, figure, key, *several[place:])
-    return drawn
+    return several
 
 
 def _wrapped(remark: str, width: float) -> str:
@@ -240,20 +260,20 @@ def draw_proportional(figure: Figure, ax: Axes, *, stretch: float = 1.0, bar: Ax
 def draw_panel(
     panel: Panel, figure: Figure, ax: Axes, *, last: bool = True, stretch: float = 1.0, most: int | None = None
 ) -> None:
-    """Draw a panel of a figure on axes, with so many ticks; of a proportional one the upright axis is stretched."""
+    """Draw a panel of a figure on axes, with at most so many ticks; ``stretch`` is that of a proportional panel."""
     along, upright = panel.along or figure.along, panel.upright
     pen = Pen(ax, along.scale[0], upright.scale[0], along.range, panel.colours, panel.sideways)
     for mark in panel.marks:
         draw_mark(mark, pen)
     across, up = (upright, along) if panel.sideways else (along, upright)
-    ax.set_xlabel(across.title() if last else "")
+    ax.set_xlabel(across.title() * last)
     ax.set_ylabel(up.title())
-    rounded: dict[str, Any] = {"steps": ROUND} | ({"nbins": most} if most else {})
-    ax.locator_params("both" if panel.colours or most else "x", **rounded)
-    _set_axis(across, "x", ax, auto=panel.proportional or None)
-    _set_axis(up, "y", ax, auto=panel.proportional or None)
+    _limit_ticks(panel, most, ax)
+    auto = panel.proportional or None
+    _set_axis(across, "x", ax, auto=auto)
+    _set_axis(up, "y", ax, auto=auto)
     if panel.proportional:
-        # Of an area limits are widened; all else fills its axes.
+        # The limits of an area are widened; all else fills its axes.
         area = any(isinstance(mark, Area) for mark in panel.marks)
         ax.set_aspect(stretch, adjustable="datalim" if area else "box")
     for mark, lines in pen.contours:
@@ -262,14 +282,19 @@ def draw_panel(
     ax.spines[["top", "right"]].set_visible(panel.colours is not None)
 
 
+def _limit_ticks(panel: Panel, most: int | None, ax: Axes) -> None:
+    options: dict[str, Any] = {"steps": ROUND} | ({"nbins": most} if most else {})
+    ax.locator_params("both" if panel.colours or most else "x", **options)
+
+
 def _set_axis(axis: Axis, letter: str, ax: Axes, *, auto: bool | None) -> None:
     """Set the scale, the limits and the ticks of the x or the y axis."""
     factor, words = axis.scale[0], axis.categories
+    drawn: XAxis | YAxis = getattr(ax, f"{letter}axis")
     if axis.logarithmic:
         ax.set(**{f"{letter}scale": "log"})
-        _tick_decades(axis, ax.xaxis if letter == "x" else ax.yaxis)
+        _tick_decades(axis, drawn)
     if axis.linear:
-        drawn = {"x": ax.xaxis, "y": ax.yaxis}[letter]
         getattr(ax, f"set_{letter}scale")("symlog", linthresh=factor * axis.linear, linscale=LINEAR_PART)
         drawn.set_major_formatter(lambda value, _: number(value))
     if words:
@@ -339,7 +364,7 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
     if not rows:
         return 0
     # A legend is filled column by column: blanks make all equally long.
-    words = [entry for column in columns for entry in (*column, *[""] * (rows - len(column)))]
+    words = [*chain.from_iterable(zip(*zip_longest(*columns, fillvalue=""), strict=True))]
     samples = [drawn.get(entry) or Line2D([], [], linestyle="none") for entry in words]
     narrow = {"borderaxespad": 0.4, "handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.4}
     key = panels[0].key
@@ -350,7 +375,7 @@ def draw_key(panels: Sequence[Panel], *several: Axes) -> int:
 
 
 def _samples(panels: Sequence[Panel], several: Sequence[Axes]) -> dict[str, Any]:
-    """Return by name what is drawn of panels on axes: of a name that has lines and points, one on the other."""
+    """Return by name what is drawn of panels on axes: lines and points of the same name one on the other."""
     drawn: dict[str, dict[Any, Any]] = {}
     for panel, ax in zip(panels, several, strict=False):
         artists = dict(zip(*reversed(ax.get_legend_handles_labels()), strict=True))
@@ -363,15 +388,18 @@ def _samples(panels: Sequence[Panel], several: Sequence[Axes]) -> dict[str, Any]
 
 def _columns_of_key(panels: Sequence[Panel], width: float) -> list[list[str]]:
     """Return the entries of a legend in as many columns as fit into a width [inch], or points beside all else."""
-    named = [mark for panel in panels for mark in panel.marks if mark.name]
-    points = {typeset(mark.name): isinstance(mark, Points) for mark in named}
-    if _wide(alone := [[words] for words in points]) <= width:
+    points = {typeset(mark.name): isinstance(mark, Points) for panel in panels for mark in panel.marks if mark.name}
+    entries = [*points]
+    if _key_width(alone := _split(entries, 1)) <= width:
         return alone
     if len({*points.values()}) == 2:
         return [[words for words, point in points.items() if point is first] for first in (True, False)]
-    entries, count = [*points], len(points)
-    splits = ([entries[at : at + rows] for at in range(0, count, rows)] for rows in range(2, count + 1))
-    return next((split for split in splits if _wide(split) <= width), [entries])
+    splits = (_split(entries, rows) for rows in range(2, len(entries) + 1))
+    return next((split for split in splits if _key_width(split) <= width), [entries])
+
+
+def _split(entries: list[str], rows: int) -> list[list[str]]:
+    return [entries[at : at + rows] for at in range(0, len(entries), rows)]
 
 
 def _rows_of_key(panels: Sequence[Panel], width: float) -> int:
@@ -379,6 +407,6 @@ def _rows_of_key(panels: Sequence[Panel], width: float) -> int:
     return max(map(len, _columns_of_key(panels, width)), default=0) + any(panel.key for panel in panels)
 
 
-def _wide(columns: Sequence[Sequence[str]]) -> float:
+def _key_width(columns: Sequence[Sequence[str]]) -> float:
     """Return the width [inch] of a legend of columns."""
     return LETTER * sum(max(len(words) + SAMPLE for words in column) for column in columns)

@@ -98,7 +98,7 @@ def bearing_figures(
     return sheets_of(bearing.figures_of(solution, maps, films), title)
 
 
-def comparison(found: Comparison, title: str = "") -> Figure:
+def comparison(methods: Comparison, title: str = "") -> Figure:
     """Return a sheet of strips and plane grid: pressure along the contact, its differences, and three cuts across.
 
     The plane grid is a line, and each strip of either element a marker; differences are relative to the plane grid, on
@@ -117,4 +117,4 @@ def comparison(found: Comparison, title: str = "") -> Figure:
     matplotlib.figure.Figure
         `save` writes it.
     """
-    return sheets_of({"": compared_methods(found)}, title)[""]
+    return sheets_of({"": compared_methods(methods)}, title)[""]

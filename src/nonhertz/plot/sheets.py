@@ -123,7 +123,7 @@ def stacked(
 
 def bar_beside(*panels: Axes, most: float = math.inf) -> Axes:
     """Return axes for a colour bar beside panels, of their height, up to the most [inch]."""
-    figure, boxes = panels[0].get_figure(root=True), [each.get_position() for each in panels]
+    figure, boxes = panels[0].get_figure(root=True), [panel.get_position() for panel in panels]
     assert figure is not None
     low, high = min(box.y0 for box in boxes), max(box.y1 for box in boxes)
     height = min(high - low, most / figure.get_figheight())

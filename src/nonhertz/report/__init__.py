@@ -1,8 +1,8 @@
 """One self-contained HTML file with everything about a case, or a comparison of several, for all who lack the program.
 
-`compose` makes it from cases, of contacts or of bearings. In steps: `settled` solves them, `examined` adds stress below
-the surface, life and slices, `rendered` writes the page. The file loads nothing from elsewhere and contains no script
-and no date: the same cases on the same machine give the same bytes.
+`compose` makes it from cases, of contacts or of bearings. In steps: `solve_all` solves them, `post_process` adds stress
+below the surface, life and slices, `to_html` writes the page. The file loads nothing from elsewhere and contains no
+script and no date: the same cases on the same machine give the same bytes.
 
 How it is made: a page is a list of sections (`page`). Those of results are what a terminal shows, too
 (`nonhertz.show`), with figures between them; the others are what the results rest on (`inputs`, `assumptions`,
@@ -13,9 +13,9 @@ sentences, figures as images that contain their SVG, and files as links that con
 from nonhertz.files.title_block import TitleBlock as TitleBlock
 from nonhertz.report.layout import MARK as MARK
 from nonhertz.report.page import compose as compose
-from nonhertz.report.page import rendered as rendered
+from nonhertz.report.page import to_html as to_html
 from nonhertz.report.results import BearingResults as BearingResults
 from nonhertz.report.results import CaseResults as CaseResults
-from nonhertz.report.results import examined as examined
-from nonhertz.report.results import settled as settled
-from nonhertz.report.results import steps as steps
+from nonhertz.report.results import count_steps as count_steps
+from nonhertz.report.results import post_process as post_process
+from nonhertz.report.results import solve_all as solve_all

@@ -12,26 +12,31 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
+from operator import attrgetter, itemgetter
 
 import numpy as np
 
 from nonhertz.amounts import format_digits, format_error, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.equilibrium import TOLERANCE
+from nonhertz.bearing.ribs import Rib
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bodies.depths import depth_below
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
+from nonhertz.model.body import BODIES
+from nonhertz.model.contact import Contact
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.checks import LEAST_DEPTH, ValidityCheck, checks
-from nonhertz.result.edges import EdgeKind
+from nonhertz.result.edges import EdgeKind, EdgePressure
 from nonhertz.result.ends import leaves_stress
 from nonhertz.result.solution import Solution
 from nonhertz.result.status import Status
 from nonhertz.result.validity import ROUND_IT
 from nonhertz.show.bearing import most_loaded
-from nonhertz.strength import CheckStatus, onset_of_yield
+from nonhertz.strength import CheckStatus, Strength, onset_of_yield
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 NO_ERROR = 1e-12  # relative: rounding
@@ -104,16 +109,17 @@ _LEAVES_STRESS = (
     Verdict.STRAINED,
     "Freed of shear, not of normal stress: the true pressure at the end is lower.",
 )
+_HOLDS = attrgetter("holds")
 Contacts = Mapping[str, Sequence[Solution]]  # by the name of their ring, empty for a single contact; the first counts
 
 
-def assumptions(found: Results) -> list[Assumption]:
+def judge_assumptions(result: Results) -> list[Assumption]:
     """Return the assumptions behind a result and whether they hold."""
-    return [*(_of_bearing(found) if isinstance(found, BearingResults) else _of_contact(found)), SURFACES]
+    return [*(_judge_bearing(result) if isinstance(result, BearingResults) else _judge_contact(result)), SURFACES]
 
 
-def _of_contact(found: CaseResults) -> Iterator[Assumption]:
-    solution = found.solution
+def _judge_contact(result: CaseResults) -> Iterator[Assumption]:
+    solution = result.solution
     fine = solution.status is Status.CONVERGED
     yield Assumption(
         "Solved",
@@ -124,88 +130,76 @@ def _of_contact(found: CaseResults) -> Iterator[Assumption]:
     )
     if not (fine and solution.contact_y):
         return
-    yield from _of_contacts({"": [solution]})
-    for name, body in (("a", solution.contact.a), ("b", solution.contact.b)):
-        if depth_below(body, solution.element) is None:
+    yield from _judge_strips({"": [solution]})
+    for name in BODIES:
+        if depth_below(getattr(solution.contact, name), solution.element) is None:
             remark = "A half-space of infinite depth: the approach is measured against a distant point."
             criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", remark=remark)
-    for each in found.strengths:
-        largest = each.largest.von_mises
-        told = [check for check in each.checks if check.name in {"yield", "bore", "core"}]
-        verdicts = {check.verdict for check in told}
-        known = Verdict.OPEN if CheckStatus.UNKNOWN in verdicts else Verdict.HOLDS
-        yield Assumption(
-            f"Linear elastic below the surface of body {each.body}",
-            "von Mises stress below the yield strength",
-            f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
-            Verdict.NOT_MET if CheckStatus.OVER in verdicts else known,
-            " ".join(check.sentence for check in told),
-        )
+    yield from map(_judge_strength, result.strengths)
 
 
-def _of_bearing(found: BearingResults) -> Iterator[Assumption]:
-    solution = found.solution
+def _judge_strength(strength: Strength) -> Assumption:
+    largest = strength.largest.von_mises
+    checks = [check for check in strength.checks if check.name in {"yield", "bore", "core"}]
+    verdicts = {check.verdict for check in checks}
+    known = Verdict.OPEN if CheckStatus.UNKNOWN in verdicts else Verdict.HOLDS
+    return Assumption(
+        f"Linear elastic below the surface of body {strength.body}",
+        "von Mises stress below the yield strength",
+        f"{mpa(largest.max)} {largest.site}z = {mm(largest.z):3}",
+        Verdict.NOT_MET if CheckStatus.OVER in verdicts else known,
+        " ".join(check.sentence for check in checks),
+    )
+
+
+def _judge_bearing(result: BearingResults) -> Iterator[Assumption]:
+    solution = result.solution
     if solution is None:
         words = "Solved", "rollers and rings are in balance", "no balance"
         yield Assumption(*words, Verdict.NOT_MET, "There are no results.")
         return
     number = f"{solution.residual:.1g} of the loads left, {solution.iterations} Newton steps"
     criterion = f"at most {TOLERANCE:.1g} of the loads is left unbalanced"
-    yield Assumption("Rollers and rings in balance", criterion, number, strained_if(solution.residual > TOLERANCE))
+    yield Assumption("Rollers and rings in balance", criterion, number, verdict_for(solution.residual > TOLERANCE))
     tilt = float(np.max(np.abs(solution.displacement[3:])))
     yield Assumption(
         "Contact angles stay as they are",
         f"the inner ring tilts by less than {mrad(MOST_TILT):g}, which turns a load by 1 %",
         f"{mrad(tilt):4}",
-        strained_if(tilt > MOST_TILT),
-        _angles(solution.bearing.rows[0].bearing),
+        verdict_for(tilt > MOST_TILT),
+        _angle_remark(solution.bearing.rows[0].bearing),
     )
     if solution.method != "strips":
-        yield from _of_slices(solution)
+        yield from _judge_slices(solution)
     elif solution.distinct_contacts:
         # At each ring the most loaded first; equal ones once.
         contacts: dict[str, list[Solution]] = {}
-        for each in sorted(solution.distinct_contacts, key=lambda each: (each.ring, -each.solved.load)):
-            contacts.setdefault(RINGS[each.ring], []).append(each.solved)
-        yield from _of_contacts(contacts)
-        yield from _whole_rollers(solution)
-    yield from _ribs(solution)
-    yield from _shapes(solution)
+        for contact in sorted(solution.distinct_contacts, key=lambda contact: (contact.ring, -contact.solved.load)):
+            contacts.setdefault(RINGS[contact.ring], []).append(contact.solved)
+        yield from _judge_strips(contacts)
+        yield from _judge_whole_rollers(solution)
+    yield from _judge_ribs(solution)
+    yield from _judge_shapes(solution)
     yield from _NEGLECTED
 
 
-def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
+def _judge_strips(contacts: Contacts) -> Iterator[Assumption]:
     """Yield what the strips of a contact, or of all contacts of a bearing, rest on."""
-    every = [each for ring in contacts.values() for each in ring]
-    corner = any(each.peaks_at_corner for each in every)
-    yield from _valid(contacts)
-    yield _ends(every)
-    bends = max(
-        sum(each.contact_y[0][0] < y < each.contact_y[-1][1] for y in each.contact.bends if each.contact_y)
-        for each in every
-    )
-    yield Assumption(
-        "Smooth along y",
-        "no corner of the profile bears the largest pressure",
-        "1 bend of the relief in contact" if bends == 1 else f"{bends or 'no'} bends of the relief in contact",
-        Verdict.NOT_MET if corner else Verdict.HOLDS,
-        f"The largest pressure has no limit: {ROUND_IT}." if corner else "",
-    )
-    most = max(each.load for each in every)
-    estimates = [each.error_estimate for each in every if each.load > COUNTS * most]
-    # The prescribed one of the two has no error.
-    error, name = max((getattr(each, name), name) for each in estimates for name in ("approach", "load"))
-    yield _fine_enough(f"the {name}", error)
-    yield _fine_enough("the largest pressure", max(each.max_pressure for each in estimates), at_corner=corner)
-    element = every[0].element
+    solutions = [*chain.from_iterable(contacts.values())]
+    yield from _judge_validity(contacts)
+    yield _judge_ends(solutions)
+    yield _judge_smoothness(solutions)
+    yield from _judge_grids(solutions)
+    element = solutions[0].element
     remark = "'nonhertz compare' solves a single contact on a plane grid that assumes no shape."
     if element != SEMI_ELLIPTIC:
         remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
     yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
-    pressure = max(each.max_pressure for each in every)
-    where = " away from singular ends" if any(each.singular_ends for each in every) else ""
-    least = min(onset_of_yield(body.material.poisson)[1] for body in (every[0].contact.a, every[0].contact.b))
+    pressure = max(solution.max_pressure for solution in solutions)
+    where = " away from singular ends" if any(solution.singular_ends for solution in solutions) else ""
+    contact = solutions[0].contact
+    least = min(onset_of_yield(body.material.poisson)[1] for body in (contact.a, contact.b))
     yield Assumption(
         "Linear elastic bodies",
         f"p0 below {least:.3g} times the yield strength (line contact, von Mises; Johnson 1985, section 6.1)",
@@ -214,54 +208,84 @@ def _of_contacts(contacts: Contacts) -> Iterator[Assumption]:
     )
 
 
+def _judge_smoothness(solutions: Sequence[Solution]) -> Assumption:
+    corner = any(solution.peaks_at_corner for solution in solutions)
+    counts = (
+        sum(solution.contact_y[0][0] < y < solution.contact_y[-1][1] for y in solution.contact.bends)
+        for solution in solutions
+        if solution.contact_y
+    )
+    bends = max(counts, default=0)
+    return Assumption(
+        "Smooth along y",
+        "no corner of the profile carries the largest pressure",
+        f"{bends or 'no'} bend{'s' * (bends != 1)} of the relief in contact",
+        Verdict.NOT_MET if corner else Verdict.HOLDS,
+        f"The largest pressure has no limit: {ROUND_IT}." if corner else "",
+    )
+
+
+def _judge_grids(solutions: Sequence[Solution]) -> Iterator[Assumption]:
+    most = max(solution.load for solution in solutions)
+    estimates = [solution.error_estimate for solution in solutions if solution.load > COUNTS * most]
+    # The prescribed one of the two has no error.
+    error, name = max((getattr(estimate, name), name) for estimate in estimates for name in ("approach", "load"))
+    yield _judge_grid(f"the {name}", error)
+    corner = any(solution.peaks_at_corner for solution in solutions)
+    yield _judge_grid("the largest pressure", max(estimate.max_pressure for estimate in estimates), at_corner=corner)
+
+
 def _checks(solution: Solution) -> tuple[ValidityCheck, ...]:
     return checks(solution, solution.judgement.judged(solution).checks, ends(solution.contact))
 
 
-def _valid(contacts: Contacts) -> Iterator[Assumption]:
+def _judge_validity(contacts: Contacts) -> Iterator[Assumption]:
     """Yield each condition of the contacts once: at each ring the most loaded contact that violates it, or of all."""
-    made = {
-        ring: [{check.assumption: check for check in _checks(each)} for each in every]
-        for ring, every in contacts.items()
-    }
-    for name in dict.fromkeys(name for ring in made.values() for each in ring for name in each):
-        shown: list[tuple[str, ValidityCheck]] = []
-        for ring, these in made.items():
-            having = [each[name] for each in these if name in each]
-            if having:
-                shown.append((ring, next((check for check in having if not check.holds), having[0])))
-        failing = [check for _, check in shown if not check.holds]
-        words = ", ".join(f"{format_digits(check.value, 3)}{ring and f' at the {ring} ring'}" for ring, check in shown)
-        first = failing[0] if failing else shown[0][1]
-        called = name if "" in contacts else _PARTS.get(name, name)
-        yield Assumption(called, first.criterion, words, strained_if(bool(failing)), first.remark)
+    by_name: dict[str, dict[str, ValidityCheck]] = {}
+    for ring, solutions in contacts.items():
+        for check in chain.from_iterable(map(_checks, solutions)):
+            rings = by_name.setdefault(check.assumption, {})
+            rings[ring] = min(rings.get(ring, check), check, key=_HOLDS)
+    for name, rings in by_name.items():
+        worst = min(rings.values(), key=_HOLDS)
+        numbers = [f"{format_digits(c.value, 3)}{ring and f' at the {ring} ring'}" for ring, c in rings.items()]
+        part = name if "" in contacts else _PARTS.get(name, name)
+        yield Assumption(part, worst.criterion, ", ".join(numbers), verdict_for(not worst.holds), worst.remark)
 
 
-def _ends(contacts: Sequence[Solution]) -> Assumption:
+def _judge_end(contact: Contact, edge: EdgePressure) -> tuple[Verdict, str]:
+    finite = edge.kind is EdgeKind.FINITE
+    return _LEAVES_STRESS if finite and leaves_stress(contact, edge) else ENDS[edge.kind]
+
+
+def _edge_kind(edge: EdgePressure) -> str:
+    return edge.kind.label.replace("-", " ")
+
+
+def _describe_edge(edge: EdgePressure) -> str:
+    return f"{_edge_kind(edge)} at y = {mm(edge.y):.5g}{f', {edge.law}' if edge.law else ''}"
+
+
+def _judge_ends(solutions: Sequence[Solution]) -> Assumption:
     """Return the worst of all ends; those of a single contact are named, of several counted."""
-    every = [(contact, edge) for contact in contacts for edge in contact.edge_pressure]
-    judged = [
-        _LEAVES_STRESS if edge.kind is EdgeKind.FINITE and leaves_stress(contact.contact, edge) else ENDS[edge.kind]
-        for contact, edge in every
-    ]
-    verdict = max((each for each, _ in judged), key=[*Verdict].index, default=Verdict.HOLDS)
-    kinds = [edge.kind.label.replace("-", " ") for _, edge in every]
-    words = [
-        f"{kind} at y = {mm(edge.y):.5g}" + (f", {edge.law}" if edge.law else "")
-        for kind, (_, edge) in zip(kinds, every, strict=True)
-    ]
-    if len(contacts) > 1:
-        words = [f"ends: {', '.join(f'{number} {kind}' for kind, number in Counter(kinds).most_common())}"]
+    edges = [(solution.contact, edge) for solution in solutions for edge in solution.edge_pressure]
+    verdicts = [_judge_end(*pair) for pair in edges]
+    worst = max((verdict for verdict, _ in verdicts), key=[*Verdict].index, default=Verdict.HOLDS)
+    if len(solutions) > 1:
+        counts = Counter(_edge_kind(edge) for _, edge in edges).most_common()
+        words = f"ends: {', '.join(f'{number} {kind}' for kind, number in counts)}"
+    else:
+        words = "; ".join(_describe_edge(edge) for _, edge in edges)
     return Assumption(
         "Contact ends inside the bodies",
         "pressure falls to zero before a body ends",
-        "; ".join(words),
-        verdict,
-        " ".join(dict.fromkeys(remark for each, remark in judged if each is verdict)),
+        words,
+        worst,
+        " ".join(dict.fromkeys(remark for verdict, remark in verdicts if verdict is worst)),
     )
 
 
-def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumption:
+def _judge_grid(what: str, error: float, *, at_corner: bool = False) -> Assumption:
     """Return the assumption that a grid is fine enough for a number of this estimated error, or at a corner's peak."""
     name = f"Grid fine enough for {what}"
     criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
@@ -271,10 +295,10 @@ def _fine_enough(what: str, error: float, *, at_corner: bool = False) -> Assumpt
     if not math.isfinite(error):
         return Assumption(name, criterion, "unknown")
     number = format_error(error) if error > NO_ERROR else "none"
-    return Assumption(name, criterion, number, strained_if(error > NOTABLE))
+    return Assumption(name, criterion, number, verdict_for(error > NOTABLE))
 
 
-def strained_if(strained: bool) -> Verdict:
+def verdict_for(strained: bool) -> Verdict:
     """Return the verdict on a number that is within its limit or not."""
     return Verdict.STRAINED if strained else Verdict.HOLDS
 
@@ -282,15 +306,15 @@ def strained_if(strained: bool) -> Verdict:
 # Of bearings alone
 
 
-def _angles(row: RollerBearing) -> str:
-    inner, outer = (math.degrees(each) for each in row.contact_angles)
+def _angle_remark(row: RollerBearing) -> str:
+    inner, outer = map(math.degrees, row.contact_angles)
     if inner == outer:
         return f"The contact angle is {format_digits(inner, 4)} degrees." if inner else ""
     angles = format_digits(inner, 4), format_digits(outer, 4)
     return "Contact angles are {} degrees at the inner and {} at the outer ring.".format(*angles)
 
 
-def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
+def _judge_whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     if solution.bearing.rows[0].bearing.roller.behind.shown != "finite":
         return
     j = most_loaded(solution)
@@ -301,7 +325,7 @@ def _whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, remark=remark)
 
 
-def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
+def _judge_slices(solution: BearingSolution) -> Iterator[Assumption]:
     remark = "Solve by strips for pressures, and for rings and rollers of other stiffness than the standard's."
     criterion = "slices of ISO/TS 16281 do not feel each other"
     yield Assumption("Independent slices", criterion, "by slices", remark=remark)
@@ -310,42 +334,51 @@ def _of_slices(solution: BearingSolution) -> Iterator[Assumption]:
         yield Assumption("Ribs", "bear part of the load", "none", remark=remark)
 
 
-def _ribs(solution: BearingSolution) -> Iterator[Assumption]:
+def _judge_ribs(solution: BearingSolution) -> Iterator[Assumption]:
     """Yield whether the contacts of the ribs of each ring stay on flank and roller."""
-    rib_of = getattr(solution.bearing.rows[0].bearing, "rib", None)
-    remark = "Where the ribs touch is a guess: give bearing.rib." if rib_of is None else ""
-    if rib_of is not None and rib_of.edge is None:
-        remark = "Where the flank ends is not known: give bearing.rib.edge. Compared with the roller's end alone."
+    known, remark = _judge_flanks(getattr(solution.bearing.rows[0].bearing, "rib", None))
+    loads = [
+        (load, rib)
+        for number, row in enumerate(solution.bearing.rows)
+        for line in solution.each_rib_load[solution.rollers_of(number)].tolist()
+        for load, rib in zip(line, row.bearing.rib_contacts, strict=False)
+        if load > 0.0
+    ]
     for ring in RINGS:
-        loads = [
-            (load, rib)
-            for number, each in enumerate(solution.bearing.rows)
-            for line in solution.each_rib_load[solution.rollers_of(number)].tolist()
-            for load, rib in zip(line, each.bearing.rib_contacts, strict=False)
-            if rib.ring == ring and load > 0.0
-        ]
-        if not loads:
+        load, rib = max((pair for pair in loads if pair[1].ring == ring), key=itemgetter(0), default=(0.0, None))
+        if rib is None:
             continue
-        load, rib = max(loads, key=lambda each: each[0])
         beyond = rib.reaches_an_edge(load)
         more = "Where it reaches an edge the pressure is higher than Hertz's." if beyond else ""
         yield Assumption(
             f"Ellipse on the ribs of the {ring} ring",
             f"reaches no edge, {mm(rib.room):3} away along the flank",
             f"{mm(rib.under(load).half_length):3} under {newton(load)}",
-            Verdict.STRAINED if beyond else Verdict.OPEN if rib_of is None else Verdict.HOLDS,
+            Verdict.STRAINED if beyond else known,
             f"{more} {remark}".strip(),
         )
 
 
-def _shapes(solution: BearingSolution) -> Iterator[Assumption]:
+def _judge_flanks(rib: Rib | None) -> tuple[Verdict, str]:
+    """Return the verdict on ellipses within known edges, and what is not known of the flanks."""
+    if rib is None:
+        return Verdict.OPEN, "Where the ribs touch is a guess: give bearing.rib."
+    if rib.edge is None:
+        return (
+            Verdict.HOLDS,
+            "Where the flank ends is not known: give bearing.rib.edge. Compared with the roller's end alone.",
+        )
+    return Verdict.HOLDS, ""
+
+
+def _judge_shapes(solution: BearingSolution) -> Iterator[Assumption]:
     row = solution.bearing.rows[0].bearing
     shaped = [ring for ring in RINGS if getattr(row, f"{ring}_shape") is not None]
-    said = f"{' and '.join(shaped)} ring{'s' if len(shaped) > 1 else ''} with a shape" if shaped else "round rings"
+    number = f"{' and '.join(shaped)} ring{'s' if len(shaped) > 1 else ''} with a shape" if shaped else "round rings"
     remark = "Rings do not bend under the rollers: give soft housings and ovality as shapes."
     if "inner" in shaped:
         remark += " The shape of the inner ring is that of one moment: it turns."
-    yield Assumption("Rings keep their shape", "stiff in shaft and housing", said, remark=remark)
+    yield Assumption("Rings keep their shape", "stiff in shaft and housing", number, remark=remark)
     if isinstance(row, CylindricalRollerBearing) and not row.rib_contacts:
         number = f"design {row.design}"
         yield Assumption("Ribs bear nothing", "rings free along the axis", number, remark="They guide rollers.")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from operator import attrgetter
 
 from nonhertz.amounts import mpa
-from nonhertz.bearing.quantities import QUANTITIES as OF_BEARING
+from nonhertz.bearing.quantities import QUANTITIES as BEARING_QUANTITIES
 from nonhertz.bearing.quantities import SolvedBearing
-from nonhertz.report.inputs import InputGroup
+from nonhertz.report.inputs import Entry, InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.show.bearing import clean_numbers
@@ -17,67 +19,80 @@ from nonhertz.show.summary import end_words
 
 # What is not the shape of a body: sections of files, and keys of bodies.
 _CONDITIONS = {"load", "solver", "lubrication", "life", "fit"}
+_ENTRIES = attrgetter("entries")
 _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
 
 
-def differing_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Cells], list[Cells], list[str]]:
+def compare_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Cells], list[Cells], list[str]]:
     """Return the inputs in which cases differ, those given in a file that are the same in all, and a note.
 
     Each case is given by its inputs; the note says what differs beside dimensions and profiles, as not all numbers
     compare then.
     """
-    tables = [{entry.place: entry for group in groups for entry in group.entries} for groups in cases]
+    tables = [{entry.place: entry for entry in chain.from_iterable(map(_ENTRIES, groups))} for groups in cases]
     differing: list[Cells] = []
     same: list[Cells] = []
-    beside: list[str] = []
-    for place in dict.fromkeys(place for table in tables for place in table):
-        values = [table[place].shown if place in table else ABSENT for table in tables]
+    conditions: list[str] = []
+    for place in dict.fromkeys(chain.from_iterable(tables)):
+        entries = [table.get(place) for table in tables]
+        values = [getattr(entry, "value_with_unit", ABSENT) for entry in entries]
+        first = next(filter(None, entries))
         if len(set(values)) > 1:
-            entry = next(table[place] for table in tables if place in table)
-            differing.append((entry.full_name, *values))
-            section, key = place.partition(".")[0], place.rpartition(".")[2]
-            if {section, key} & _BESIDE_SHAPES:
-                beside.append(section if section in _CONDITIONS else entry.full_name)
+            differing.append((first.full_name, *values))
+            conditions += _condition(first)
         elif not all(table[place].default for table in tables):
-            same.append((tables[0][place].full_name, values[0], tables[0][place].meaning))
-    what = "; ".join(dict.fromkeys(beside))
-    return differing, same, [f"More than shapes differs, so that not all numbers compare: {what}."] if beside else []
+            same.append((first.full_name, values[0], first.meaning))
+    what = "; ".join(dict.fromkeys(conditions))
+    return differing, same, [f"More than shapes differs, so that not all numbers compare: {what}."] if what else []
 
 
-def results(found: Sequence[Results]) -> list[Compared | Cells]:
+def _condition(entry: Entry) -> list[str]:
+    """Return what an input is called if it is not of the shape of a body; else nothing."""
+    section, key = entry.place.partition(".")[0], entry.place.rpartition(".")[2]
+    if section in _CONDITIONS:
+        return [section]
+    return [entry.full_name] if {section, key} & _BESIDE_SHAPES else []
+
+
+def result_rows(results: Sequence[Results]) -> list[Compared | Cells]:
     """Return the results of all cases or bearings, with differences from the first; what none has is left out."""
-    contacts = [each for each in found if isinstance(each, CaseResults)]
-    if not contacts:
-        return [*_of_bearings([each for each in found if isinstance(each, BearingResults)])]
-    solutions = [each.solution for each in contacts]
-    rows: list[Compared | Cells] = [
-        Compared(each.label, each.amount(*(float(each.clean(one)) for one in solutions)))
-        for each in map(QUANTITIES.__getitem__, _COMPARED)
-    ]
+    contacts = [result for result in results if isinstance(result, CaseResults)]
+    return [*(_contact_rows(contacts) if contacts else _bearing_rows(results))]
+
+
+def _contact_rows(contacts: Sequence[CaseResults]) -> Iterator[Compared | Cells]:
+    solutions = [contact.solution for contact in contacts]
+    first, *others = (
+        Compared(quantity.label, quantity.amount(*(float(quantity.clean(solution)) for solution in solutions)))
+        for quantity in map(QUANTITIES.__getitem__, _COMPARED)
+    )
+    yield first
     for at, end in enumerate(("low", "high")):
-        cells = [Cell(*end_words(each.edge_pressure[at], each)) for each in solutions]
-        rows.insert(1 + at, (f"pressure at the {end} end", *cells))
-    if all(each.stress for each in contacts):
+        cells = [Cell(*end_words(solution.edge_pressure[at], solution)) for solution in solutions]
+        yield f"pressure at the {end} end", *cells
+    yield from others
+    stresses = [contact.stress[0] for contact in contacts if contact.stress]
+    if len(stresses) == len(contacts):
         for name, key in _STRESSES.items():
-            largest = [getattr(each.stress[0], key).max for each in contacts if each.stress]
-            rows.append(Compared(f"largest {name} in body a", mpa(*largest)))
-    return rows
+            yield Compared(f"largest {name} in body a", mpa(*(getattr(stress, key).max for stress in stresses)))
 
 
-def _of_bearings(found: Sequence[BearingResults]) -> list[Compared]:
-    names = sorted(set(OF_BEARING) - {"warnings"}, key=["max_pressure", *OF_BEARING].index)
-    return compared(map(OF_BEARING.__getitem__, names), [*map(_numbers, found)])
+def _bearing_rows(results: Sequence[Results]) -> list[Compared]:
+    names = sorted(set(BEARING_QUANTITIES) - {"warnings"}, key=["max_pressure", *BEARING_QUANTITIES].index)
+    bearings = [result for result in results if isinstance(result, BearingResults)]
+    return compared(map(BEARING_QUANTITIES.__getitem__, names), [*map(_bearing_numbers, bearings)])
 
 
-def _numbers(found: BearingResults) -> dict[str, float]:
+def _bearing_numbers(result: BearingResults) -> dict[str, float]:
     """Return the numbers of a bearing by name, those of its life only where it was assessed."""
-    if found.solution is None:
+    if result.solution is None:
         return {}
-    shown = (each for each in OF_BEARING.values() if found.life is not None or each.within != "life")
-    return clean_numbers(shown, SolvedBearing(found.case, found.solution))
+    lived = result.life is not None
+    quantities = (quantity for quantity in BEARING_QUANTITIES.values() if lived or quantity.within != "life")
+    return clean_numbers(quantities, SolvedBearing(result.case, result.solution))
 
 
-def conclusion(compared_results: Sequence[Compared | Cells], labels: Sequence[str]) -> str:
+def summarize(compared_results: Sequence[Compared | Cells], labels: Sequence[str]) -> str:
     """Return in a sentence how the largest pressures compare, of bearings the lives, too."""
     rows = {row.name: row for row in compared_results if isinstance(row, Compared)}
     life = next((name for name in ("modified life", "reference life") if name in rows), "")
@@ -93,14 +108,14 @@ def conclusion(compared_results: Sequence[Compared | Cells], labels: Sequence[st
     return " ".join(sentences)
 
 
-def verdicts(found: Sequence[Results]) -> list[Cells]:
+def verdict_rows(results: Sequence[Results]) -> list[Cells]:
     """Return label, verdict and what it rests on of each that has one, or why it was not solved."""
     rows: list[Cells] = []
-    for each in found:
-        if each.complaint:
-            rows.append((each.label, "Not solved.", each.complaint))
-        elif each.verdict is not None:
-            rows.append((each.label, each.verdict.words, each.verdict.sentence))
+    for result in results:
+        if result.complaint:
+            rows.append((result.label, "Not solved.", result.complaint))
+        elif result.verdict is not None:
+            rows.append((result.label, result.verdict.words, result.verdict.sentence))
     return rows
 
 

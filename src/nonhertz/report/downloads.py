@@ -41,30 +41,30 @@ class Download(NamedTuple):
         return f"data:{kind};base64,{base64.b64encode(self.content).decode('ascii')}"
 
 
-def downloads(found: Results) -> list[Download]:
+def collect_downloads(result: Results) -> list[Download]:
     """Return the file of a case or a bearing, the files that it names, and all results."""
-    case = found.case
+    case = result.case
     what = f"{case.kind} file"
     files = [(case.file_name, f"the {what}, as it was solved", case.text.encode())]
     for name, content in case.attachments.items():
         files.append((name, f"named by the {what}; put it where {name} is from there", content))
     stem = PurePosixPath(case.file_name).stem
-    files += [(f"{stem}-{name}", _WORDS[name], text.encode()) for name, text in _texts(found) if name in _WORDS]
+    files += [(f"{stem}-{name}", _WORDS[name], text.encode()) for name, text in _result_texts(result) if name in _WORDS]
     return [Download(PurePosixPath(name.replace("\\", "/")).name, words, content) for name, words, content in files]
 
 
-def _texts(found: Results) -> Iterator[tuple[str, str]]:
+def _result_texts(result: Results) -> Iterator[tuple[str, str]]:
     """Yield names and texts of the files that commands write."""
-    if found.solution is None:
+    if result.solution is None:
         return
-    if isinstance(found, BearingResults):
-        yield from Result(found.case, found.solution, (found.life, found.reason)).texts().items()
-        if found.slices is not None:
-            yield from comparison_files(found.solution, found.slices, found.case.title).items()
+    if isinstance(result, BearingResults):
+        yield from Result(result.case, result.solution, (result.life, result.reason)).texts().items()
+        if result.slices is not None:
+            yield from comparison_files(result.solution, result.slices, result.case.title).items()
         return
-    yield from Result(found.case, found.solution).texts().items()
-    if found.stress:
-        written = stresses_as_object(found.solution, *found.stress, found.strengths[0], found.case.title)
+    yield from Result(result.case, result.solution).texts().items()
+    if result.stress:
+        written = stresses_as_object(result.solution, *result.stress, result.strengths[0], result.case.title)
         yield "stress.json", key_by_key(written) + "\n"
-    if found.lives:
-        yield "life.json", key_by_key(lives_as_object(found.lives)) + "\n"
+    if result.lives:
+        yield "life.json", key_by_key(lives_as_object(result.lives)) + "\n"

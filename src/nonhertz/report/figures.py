@@ -22,23 +22,26 @@ OF_OPERATION: Final = "Film, friction and frequencies"
 _LOWER, _MOST_TICKS = 0.64, 5  # of the height of panels, and ticks of half the width
 
 
-def belonging(found: Results) -> dict[str, list[Picture]]:
+def draw_figures(result: Results) -> dict[str, list[Picture]]:
     """Return the figures of a result by the title of their section, empty for the one before all."""
-    if isinstance(found, CaseResults):
-        values = contact.figures_of(found.solution)
-        planes = stress_planes_drawn(found.solution, *found.stress) if found.stress else {}
-        more = {"Stress below the surface": pictures_of(planes), "Life": [*_of_lives(found)]}
+    if isinstance(result, CaseResults):
+        values = contact.figures_of(result.solution)
+        planes = stress_planes_drawn(result.solution, *result.stress) if result.stress else {}
+        more = {"Stress below the surface": draw_pictures(planes), "Life": [*_draw_lives(result)]}
     else:
         values, more = {}, {}
-        if found.solution is not None:
-            values = bearing.figures_of(found.solution, films=found.case.films(found.solution))
-            more = {OF_OPERATION: pictures_of(_of_films(values)), ALL_ROLLERS: pictures_of(_named(values, "roller"))}
-            values = _named(values, "loads", "pressure", "displacement")
-    drawn = pictures_of(values)
+        if result.solution is not None:
+            values = bearing.figures_of(result.solution, films=result.case.films(result.solution))
+            more = {
+                OF_OPERATION: draw_pictures(_film_sheet(values)),
+                ALL_ROLLERS: draw_pictures(_select_lower(values, "roller")),
+            }
+            values = _select_lower(values, "loads", "pressure", "displacement")
+    drawn = draw_pictures(values)
     return {"": drawn[:1], "Results": drawn[1:]} | more
 
 
-def _named(values: Mapping[str, Figure], *names: str) -> dict[str, Figure]:
+def _select_lower(values: Mapping[str, Figure], *names: str) -> dict[str, Figure]:
     """Return the figures of these names, as far as there are any, with lower panels: lettering stays as large."""
     return {
         name: replace(figure, panels=[replace(panel, height=round(_LOWER * panel.height)) for panel in figure.panels])
@@ -47,42 +50,42 @@ def _named(values: Mapping[str, Figure], *names: str) -> dict[str, Figure]:
     }
 
 
-def _of_films(values: Mapping[str, Figure]) -> dict[str, Figure]:
+def _film_sheet(values: Mapping[str, Figure]) -> dict[str, Figure]:
     """Return the figures of films beside each other on one sheet; none if there are none."""
-    films = [*_named(values, "film", "film-along").values()]
+    films = [*_select_lower(values, "film", "film-along").values()]
     if not films:
         return {}
-    panels = [replace(panel, along=_half(figure.along)) for figure in films for panel in figure.panels]
+    panels = [replace(panel, along=_halve(figure.along)) for figure in films for panel in figure.panels]
     panels = [replace(panel, beside=bool(number % 2)) for number, panel in enumerate(panels)]
     captions = " ".join(figure.caption for figure in films)
     return {"films": Figure(films[0].along, panels, films[0].conditions, captions)}
 
 
-def _half(along: Axis) -> Axis:
+def _halve(along: Axis) -> Axis:
     """Return an axis for half the width, with every second tick of many."""
     return replace(along, ticks=along.ticks[::2]) if len(along.ticks) > _MOST_TICKS else along
 
 
-def pictures_of(values: Mapping[str, Figure]) -> list[Picture]:
+def draw_pictures(values: Mapping[str, Figure]) -> list[Picture]:
     """Draw figures, each with what it says of itself."""
     with sheet_style():
         return [Picture(sheet_of(figure), figure.caption, figure.description) for figure in values.values()]
 
 
-def _of_lives(found: CaseResults) -> Iterator[Picture]:
+def _draw_lives(result: CaseResults) -> Iterator[Picture]:
     """Yield the damage along the bodies, and the surroundings of a dent that is rolled over if there is one."""
-    assessed = found.lives
+    assessed = result.lives
     if assessed is None:
         return
-    yield from pictures_of({"": life_densities(assessed.spectrum, assessed.lives)})
+    yield from draw_pictures({"": life_densities(assessed.spectrum, assessed.lives)})
     if assessed.dent is not None:
-        yield from pictures_of({"": around_dent(assessed.dent, assessed.judging_dents)})
+        yield from draw_pictures({"": around_dent(assessed.dent, assessed.judging_dents)})
 
 
-def of_all(found: Sequence[Results]) -> list[Picture]:
+def draw_comparison(results: Sequence[Results]) -> list[Picture]:
     """Return what is along all contacts, or around the axes of all bearings that have a solution, in one figure."""
-    bearings = {each.label: each.solution for each in found if isinstance(each, BearingResults) and each.solution}
-    contacts = {each.label: each.solution for each in found if isinstance(each, CaseResults)}
+    bearings = {one.label: one.solution for one in results if isinstance(one, BearingResults) and one.solution}
+    contacts = {one.label: one.solution for one in results if isinstance(one, CaseResults)}
     if bearings:
-        return pictures_of({"": compared_bearings(bearings)})
-    return pictures_of({"": compared_contacts(contacts)}) if contacts else []
+        return draw_pictures({"": compared_bearings(bearings)})
+    return draw_pictures({"": compared_contacts(contacts)}) if contacts else []

@@ -76,7 +76,7 @@ class Part:
         What was solved, if it is one of several.
     """
 
-    found: Results | None
+    result: Results | None
     sections: Sequence[Section] = ()
     folded: Sequence[Section] = ()
     numbers: Sequence[Row] = ()
@@ -93,13 +93,13 @@ class Words(NamedTuple):
     conventions: str
 
 
-def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
+def render_page(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
     """Return the text of a page, which begins with a sentence on what was solved."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     options: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True}
     environment = Environment(loader=PackageLoader("nonhertz.report"), undefined=StrictUndefined, **options)
-    environment.filters |= {"linked": linked, "drawn": _drawn, "quoted": quoted}
+    environment.filters |= {"with_links": with_links, "svg_address": _svg_address, "css_string": css_string}
     page = environment.get_template("report.html").render(
         title=title,
         mark=MARK,
@@ -117,7 +117,7 @@ def laid_out(title: str, words: Words, block: TitleBlock, opening: str, parts: S
     return page.strip() + "\n"
 
 
-def _drawn(picture: Picture) -> str:
+def _svg_address(picture: Picture) -> str:
     """Return a figure as an address that holds it: a document of its own, whose identifiers meet no others.
 
     Half as long as the file of the figure: lengths to a hundredth of a point, colours by as many dots as screens have.
@@ -126,7 +126,7 @@ def _drawn(picture: Picture) -> str:
     return f"data:image/svg+xml,{quote(' '.join(text.split()), safe=_UNCHANGED)}"
 
 
-def quoted(text: str) -> Markup:
+def css_string(text: str) -> Markup:
     r"""Return a text as a string of CSS within a page.
 
     Examples
@@ -136,17 +136,17 @@ def quoted(text: str) -> Markup:
     """
     from markupsafe import Markup
 
-    return Markup('"' + re.sub(r'["\\<>&\x00-\x1f]', lambda found: f"\\{ord(found[0]):x} ", text) + '"')
+    return Markup('"' + re.sub(r'["\\<>&\x00-\x1f]', lambda match: f"\\{ord(match[0]):x} ", text) + '"')
 
 
-def linked(text: str) -> Markup:
+def with_links(text: str) -> Markup:
     """Return a reference with its DOIs and URLs as links."""
     from markupsafe import Markup, escape
 
     shown, at = Markup(), 0
-    for found in _ADDRESS.finditer(text):
-        address = found[2] or f"https://doi.org/{found[1]}"
-        shown += escape(text[at : found.start()])
-        shown += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, found[0])
-        at = found.end()
+    for match in _ADDRESS.finditer(text):
+        address = match[2] or f"https://doi.org/{match[1]}"
+        shown += escape(text[at : match.start()])
+        shown += Markup('<a href="{}" rel="noreferrer">{}</a>').format(address, match[0])
+        at = match.end()
     return shown + escape(text[at:])

@@ -73,7 +73,7 @@ _STRIPS = (
     "both elastic bodies."
 )
 _IN_CONTACT = (
-    "The contact is cut along y into {strips} strips. {each} One Newton loop finds all loads and half-widths, approach "
+    "The contact is cut along y into {strips} strips. {one} One Newton loop finds all loads and half-widths, approach "
     "and tilt together, so that both surfaces touch on the centre line of every strip that bears load, to second order "
     "across, and no strip pulls. Bodies are linear elastic half-spaces (Boussinesq), without friction, and the "
     "separation across the contact is parabolic."
@@ -96,57 +96,56 @@ def formula(function: Callable[..., Any] | None) -> str:
     body = words.partition("\n\n")[2]
     for section in ("Parameters\n", "Returns\n", "Examples\n"):
         body = body.partition(section)[0]
-    return _flowing(body)
+    return _join_lines(body)
 
 
 def source(documented: Any) -> str:
     """Return the references in a docstring; empty if there are none."""
-    found = _REFERENCES.search((inspect.getdoc(documented) or "") if documented else "")
-    return _flowing(found[1]) if found else ""
+    match = _REFERENCES.search((inspect.getdoc(documented) or "") if documented else "")
+    return _join_lines(match[1]) if match else ""
 
 
-def method(found: Results) -> tuple[list[str], list[str]]:
+def describe_method(result: Results) -> tuple[list[str], list[str]]:
     """Return how it was solved, a paragraph for each part of the method, and the publications behind that.
 
     References have no repeats.
     """
-    parts = list(_of_bearing(found) if isinstance(found, BearingResults) else _of_contact(found))
-    references = dict.fromkeys(each for _, sources in parts for each in sources if each)
+    parts = list(_describe_bearing(result) if isinstance(result, BearingResults) else _describe_contact(result))
+    references = dict.fromkeys(reference for _, sources in parts for reference in sources if reference)
     return [words for words, _ in parts if words], list(references)
 
 
-def _of_contact(found: CaseResults) -> Iterator[tuple[str, list[str]]]:
-    solution = found.solution
+def _describe_contact(result: CaseResults) -> Iterator[tuple[str, list[str]]]:
+    solution = result.solution
     contact = solution.contact
-    each = _STRIPS.format(element=solution.element.name)
-    sources = [source(Element), _BOUSSINESQ, *_profile_sources(found.case.document)]
-    yield _IN_CONTACT.format(strips=solution.strips, each=each), sources
-    yield from _of_bodies({"body a": contact.a, "body b": contact.b})
+    sources = [source(Element), _BOUSSINESQ, *_profile_sources(result.case.document)]
+    yield _IN_CONTACT.format(strips=solution.strips, one=_STRIPS.format(element=solution.element.name)), sources
+    yield from _describe_bodies({"body a": contact.a, "body b": contact.b})
     yield _BEYOND, [_SHARP_ENDS] if solution.singular_ends else []
-    if found.stress:
+    if result.stress:
         words = (
             "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
             "centres, with the same images behind side faces. The largest values are searched for throughout body "
-            f"{found.stress[0].body} below the contact."
+            f"{result.stress[0].body} below the contact."
         )
         yield words, [source(stress)]
-    if found.lives:
+    if result.lives:
         words = (
             "Life follows from the stresses that every point of both bodies undergoes during a pass of the load. It is "
             "given relative to the life under Hertz's line pressure with the load spread evenly."
         )
-        yield words, [source(stress), *(source(MODELS[life.model.name]) for life in found.lives.lives["a"])]
+        yield words, [source(stress), *(source(MODELS[life.model.name]) for life in result.lives.lives["a"])]
 
 
-def _of_bearing(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
-    yield from chain(_of_rows(found), _of_classes(found.case), _of_operation(found))
+def _describe_bearing(result: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    yield from chain(_describe_rows(result), _describe_classes(result.case), _describe_operation(result))
 
 
-def _of_rows(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
+def _describe_rows(result: BearingResults) -> Iterator[tuple[str, list[str]]]:
     """Yield how rollers, rings and ribs are solved."""
-    strips = found.case.solver.method == "strips"
-    row = found.case.bearing.rows[0].bearing
-    profiles = [*_profile_sources(found.case.document)]
+    strips = result.case.solver.method == "strips"
+    row = result.case.bearing.rows[0].bearing
+    profiles = [*_profile_sources(result.case.document)]
     yield _IN_BEARING, [_BEARINGS]
     if strips:
         words = (
@@ -154,7 +153,7 @@ def _of_rows(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
             f"into strips on an automatic grid. {_STRIPS.format(element='semi-elliptic')}"
         )
         yield words, [source(Element), _BOUSSINESQ, *profiles]
-        yield from _of_bodies({"a roller": row.roller, "the inner ring": row.inner, "the outer ring": row.outer})
+        yield from _describe_bodies({"a roller": row.roller, "the inner ring": row.inner, "the outer ring": row.outer})
     else:
         words = (
             "Contacts are the slices of ISO/TS 16281: independent of each other, of equal stiffness at both rings, "
@@ -166,7 +165,7 @@ def _of_rows(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
         yield words, [source(point_contact)]
 
 
-def _of_classes(case: BearingCase) -> Iterator[tuple[str, list[str]]]:
+def _describe_classes(case: BearingCase) -> Iterator[tuple[str, list[str]]]:
     """Yield what classes of fits and groups of clearance stand for."""
     fit = case.fit
     seats = fit is not None and any(seat.fit and seat.interference is None for seat in (fit.shaft, fit.housing))
@@ -177,33 +176,36 @@ def _of_classes(case: BearingCase) -> Iterator[tuple[str, list[str]]]:
         yield " ".join([*used, "The likely value is the mean."]), [*_SEATS * seats, *_GROUPS * group]
 
 
-def _of_operation(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
-    """Yield how lives, films, friction and limits are found."""
-    strips = found.case.solver.method == "strips"
-    if found.life is not None:
+def _describe_operation(result: BearingResults) -> Iterator[tuple[str, list[str]]]:
+    """Yield how lives, films, friction and limits are result."""
+    if result.solution is None:
+        return
+    strips = result.case.solver.method == "strips"
+    if result.life is not None:
         edges = " The edges of the laminae take the pressures of the strips." if strips else ""
         words = (
             "Ratings are those of ISO 281 and ISO 76 unless given. L10 follows from the equivalent load, L10r from the "
             f"loads of all laminae of all rollers, and the modified life from lubrication and reliability.{edges}"
         )
         yield words, [*_STANDARDS, source(rating), _REFERENCE_LIFE]
-    if found.solution is not None and found.case.films(found.solution) is not None:
+    films = result.case.films(result.solution)
+    if films is not None:
         words = (
             "Films of oil are those of fully flooded lines at one temperature, at every place along the rollers with "
             "its own load, radius and speed, or of an ellipse; what flows along the contact is neglected. Rollers roll "
             "without sliding in the middle of their length."
         )
-        yield words, _sources_of_films(found.case.films(found.solution))
-    if found.solution is not None and found.case.friction(found.solution) is not None:
+        yield words, _film_sources(films)
+    if result.case.friction(result.solution) is not None:
         words = (
             "Friction torque and power are empirical, after Palmgren, with the factors that makers publish by series; "
             "the thermal speed is the one at which this torque makes the heat that ISO 15312 lets the seats lead away."
         )
         yield words, [_SCHAEFFLER, "ISO 15312:2018, Rolling bearings - Thermal speed rating - Calculation."]
-    if found.solution is not None and (limits := found.case.limits(found.solution)):
-        sources = [each for _, limit in limits for each in _OF_LIMITS.get(limit.kind, ())]
+    if limits := result.case.limits(result.solution):
+        sources = [*chain.from_iterable(_OF_LIMITS.get(limit.kind, ()) for _, limit in limits)]
         yield "Limits of makers are rules of thumb of their catalogues.", sources
-    if found.slices is not None:
+    if result.slices is not None:
         words = (
             "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "
             "contacts in series for each roller."
@@ -211,10 +213,8 @@ def _of_operation(found: BearingResults) -> Iterator[tuple[str, list[str]]]:
         yield words, [_REFERENCE_LIFE]
 
 
-def _sources_of_films(films: Films | None) -> list[str]:
+def _film_sources(films: Films) -> list[str]:
     """Return the publications behind films of lines and of ellipses, as far as there are any."""
-    if films is None:
-        return []
     ellipses = films.elliptic[films.solution.load > 0.0]
     return [*(() if np.all(ellipses) else _LINE_FILMS), *(_ELLIPSE_FILMS if np.any(ellipses) else ())]
 
@@ -228,34 +228,34 @@ def _profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
                 yield words
 
 
-def _of_bodies(bodies: Mapping[str, Body]) -> Iterator[tuple[str, list[str]]]:
+def _describe_bodies(bodies: Mapping[str, Body]) -> Iterator[tuple[str, list[str]]]:
     """Yield how bodies are modelled, those that are alike together."""
     alike: dict[str, list[str]] = {}
     for name, body in bodies.items():
-        alike.setdefault(_body_words("{name}", body), []).append(name)
+        alike.setdefault(_describe_sides_and_depth("{name}", body), []).append(name)
     for words, names in alike.items():
         yield words.format(name=joined(names)), [bodies[name].behind.source for name in names]
 
 
-def _body_words(name: str, body: Body) -> str:
+def _describe_sides_and_depth(name: str, body: Body) -> str:
     """Return how side faces and depth of a body are modelled; ``name`` is what the sentences call it."""
-    said = []
+    sentences = []
     sides = zip(body.face_weights, body.free_faces, strict=True)
     if any(body.free_faces):
-        said.append(
+        sentences.append(
             f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space, below "
             "the surface, too."
         )
     weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
-        said.append(
+        sentences.append(
             f"Side faces of {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
             "normal stress remains on them, so the true pressure at an end is lower."
         )
-    return " ".join([*said, f"Displacement of {name} is measured against {body.behind.place}."])
+    return " ".join([*sentences, f"Displacement of {name} is measured against {body.behind.place}."])
 
 
-def _flowing(text: str) -> str:
+def _join_lines(text: str) -> str:
     """Return a docstring's lines as one paragraph, without code markup."""
     return " ".join(text.replace("`", "").split())

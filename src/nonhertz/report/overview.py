@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from operator import attrgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import Amount, amount, format_input, mm, mpa, mrad, newton, newton_mm, um
-from nonhertz.bearing.bearings import CylindricalThrustBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import RINGS
 from nonhertz.errors import joined
@@ -39,53 +40,53 @@ _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
 }
 
 
-def key_numbers(found: Results) -> list[Row]:
+def key_numbers(result: Results) -> list[Row]:
     """Return name, number and place of what is looked for first."""
-    if isinstance(found, BearingResults):
-        numbers = [] if found.solution is None else bearing_numbers(found.case, found.solution, found.life)
+    if isinstance(result, BearingResults):
+        numbers = [] if result.solution is None else bearing_numbers(result.case, result.solution, result.life)
     else:
-        numbers = contact_numbers(found.case, found.solution, found.complaint)
-        if found.stress:
-            numbers.append(stress_number(found.stress[0].body, found.stress[0].von_mises, searched=True))
-    return [(each.name, " ".join(filter(None, each.shown)), each.where) for each in numbers]
+        numbers = contact_numbers(result.case, result.solution, result.complaint)
+        if result.stress:
+            numbers.append(stress_number(result.stress[0].body, result.stress[0].von_mises, searched=True))
+    return [(number.name, " ".join(filter(None, number.shown)), number.where) for number in numbers]
 
 
-def opening(found: Results) -> str:
+def opening_sentence(result: Results) -> str:
     """Return one sentence on what was solved."""
-    prescribed = found.case.prescribed.keywords
+    prescribed = result.case.prescribed.keywords
     acting = [
         f"{words} {kind(*np.atleast_1d(prescribed[name]).tolist(), between=' and '):.5g}"
         for name, (words, kind) in _PRESCRIBED.items()
         if name in prescribed and prescribed[name] != 0.0
     ]
     under = f"under {joined(acting)}" if acting else "without a load"
-    if isinstance(found, CaseResults):
-        a, b = _body(found.solution.contact.a, "a"), _body(found.solution.contact.b, "b")
+    if isinstance(result, CaseResults):
+        a, b = _describe_body(result.solution.contact.a, "a"), _describe_body(result.solution.contact.b, "b")
         return f"{a[0].upper()}{a[1:]} and {b} {under}."
-    case = found.case
+    case = result.case
     row, rows = case.bearing.rows[0].bearing, len(case.bearing.rows)
     size = f"{mm(row.roller_diameter, row.roller_length, between=' x '):.5g}"
     what = f"{row.kind}{f' of {rows} rows' if rows > 1 else ''}".capitalize()
-    each = " in each row" if rows > 1 else ""
+    per_row = " in each row" if rows > 1 else ""
     speed = f" at {format_input(float(prescribed['speed']))} 1/min" if prescribed.get("speed") else ""
     circle = f"on a pitch circle of {mm(row.pitch):.5g}"
-    return f"{what}, {row.rollers} rollers of {size}{each} {circle}, {under}{speed}."
+    return f"{what}, {row.rollers} rollers of {size}{per_row} {circle}, {under}{speed}."
 
 
-def _body(body: Body, letter: str) -> str:
+def _describe_body(body: Body, letter: str) -> str:
     kind, material = type(body).__name__.lower(), name_of(body.material) or f"E = {mpa(body.material.modulus):g}"
     described = ", ".join([*([] if body.diameter is not None else ["flat"]), *sizes(body), material])
     return f"{f'body {letter}' if kind == 'body' else f'a {kind}'} ({described})"
 
 
-def geometry(found: Results) -> list[tuple[str, str]]:
+def derived_quantities(result: Results) -> list[tuple[str, str]]:
     """Return name and value of what follows from the dimensions."""
-    if isinstance(found, BearingResults):
-        return list(_of_bearing(found.case))
-    contact = found.solution.contact
+    if isinstance(result, BearingResults):
+        return list(_bearing_quantities(result.case))
+    contact = result.solution.contact
     low, high = contact.interval
     y = np.linspace(max(low, -FARTHEST), min(high, FARTHEST), SAMPLES)
-    pieces = found.solution.contact_y
+    pieces = result.solution.contact_y
     if not math.isfinite(high - low) and pieces:
         y = np.linspace(pieces[0][0], pieces[-1][1], SAMPLES)
     curvature, relief = contact.curvature(y), contact.separation(y)
@@ -118,7 +119,7 @@ def _span(values: Array, unit: str) -> str:
 # Of bearings alone
 
 
-def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
+def _bearing_quantities(case: BearingCase) -> Iterator[tuple[str, str]]:
     row = case.bearing.rows[0].bearing
     between = row.pitch * math.sin(math.pi / row.rollers) - row.roller_diameter
     yield "pitch diameter", f"{mm(row.pitch):g}"
@@ -128,24 +129,28 @@ def _of_bearing(case: BearingCase) -> Iterator[tuple[str, str]]:
     if isinstance(row, TaperedRollerBearing):
         yield "half cone angle of the rollers", _degrees(row.half_cone_angle)
     if isinstance(case.bearing, Paired):
-        yield "rows at x =", f"{mm(*(each.x for each in case.bearing.rows), between=' and '):g}"
+        places = mm(*map(attrgetter("x"), case.bearing.rows), between=" and ")
+        yield "rows at x =", f"{places:g}"
     for ring, contact in zip(RINGS, row.contacts, strict=True):
         yield f"combined radius across, {ring} ring", f"{mm(1.0 / float(contact.curvature(np.zeros(1))[0]))}"
-    for ring in RINGS:
-        rib = next((each for each in row.rib_contacts if each.ring == ring), None)
-        if rib is not None:
-            radii = mm(rib.radius_around, rib.radius_along, between=" and ")
-            yield f"combined radii on the ribs, {ring} ring, around and along the flank", f"{radii:4}"
+    ribs = {rib.ring: rib for rib in reversed(row.rib_contacts)}
+    for ring in sorted(ribs, key=RINGS.index):
+        radii = mm(ribs[ring].radius_around, ribs[ring].radius_along, between=" and ")
+        yield f"combined radii on the ribs, {ring} ring, around and along the flank", f"{radii:4}"
+    yield from _reliefs(row)
+    if row.roller_density is not None:
+        yield "mass of a roller", f"{amount(1e6 * row.inertia.mass, 'g'):.4g}"
+
+
+def _reliefs(row: RollerBearing) -> Iterator[tuple[str, str]]:
     y = NEAR_ENDS * np.array(row.contacts[0].interval)
     where = mm(*y, between=" and ")
     for name in PARTS:
         relief = getattr(row, name).relief(y)  # without arcs of barrels
         if np.any(relief != 0.0):
-            named = f"relief of the {name}{' ring' * (name in RINGS)} at y = {where:.4g}"
-            yield named, f"{um(*relief, between=' and '):3}"
-    if row.roller_density is not None:
-        yield "mass of a roller", f"{amount(1e6 * row.inertia.mass, 'g'):.4g}"
+            part = f"{name}{' ring' * (name in RINGS)}"
+            yield f"relief of the {part} at y = {where:.4g}", f"{um(*relief, between=' and '):3}"
 
 
 def _degrees(*angles: float) -> str:
-    return f"{' and '.join(format_input(math.degrees(each), 5) for each in angles)} degrees"
+    return f"{' and '.join(format_input(math.degrees(angle), 5) for angle in angles)} degrees"

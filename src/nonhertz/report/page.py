@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from nonhertz.amounts import display_units
 from nonhertz.errors import InputError, joined
@@ -15,21 +16,21 @@ from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.report import figures
-from nonhertz.report.assumptions import NO_INPUT, Assumption, Verdict, assumptions
-from nonhertz.report.differences import conclusion, differing_inputs, results, verdicts
-from nonhertz.report.downloads import downloads
-from nonhertz.report.inputs import Entry, InputGroup, in_words, inputs
-from nonhertz.report.layout import Files, Part, Words, laid_out
-from nonhertz.report.method import method
-from nonhertz.report.overview import geometry, key_numbers, opening
-from nonhertz.report.results import BearingResults, CaseResults, Results, examined, settled
+from nonhertz.report.assumptions import NO_INPUT, Assumption, Verdict, judge_assumptions
+from nonhertz.report.differences import compare_inputs, result_rows, summarize, verdict_rows
+from nonhertz.report.downloads import collect_downloads
+from nonhertz.report.inputs import Entry, InputGroup, collect_inputs, readable_place
+from nonhertz.report.layout import Files, Part, Words, render_page
+from nonhertz.report.method import describe_method
+from nonhertz.report.overview import derived_quantities, key_numbers, opening_sentence
+from nonhertz.report.results import BearingResults, CaseResults, Results, post_process, solve_all
 from nonhertz.show import bearing, stresses
 from nonhertz.show import lives as life_shown
 from nonhertz.show import measured as measured_shown
 from nonhertz.show import summary as contact
-from nonhertz.show.analysis import Announce, in_silence
+from nonhertz.show.analysis import Announce, no_progress
 from nonhertz.show.beside import Cells, Compared, beside
-from nonhertz.show.sections import SUMMARY, Block, Cell, Said, Section, Table, summary
+from nonhertz.show.sections import SUMMARY, Block, Cell, Notes, Section, Table, summary
 
 _SHORT = ("Film", "Friction", "Speeds and frequencies")
 MOST_NAMED = 3  # cases that the title of a comparison names
@@ -58,7 +59,7 @@ def compose(
     compare: bool = False,
     title_block: TitleBlock | None = None,
     units: str = "si",
-    announce: Announce = in_silence,
+    announce: Announce = no_progress,
 ) -> str:
     """Return a report on one case, or a comparison of several, as the text of an HTML file.
 
@@ -96,49 +97,51 @@ def compose(
         remedy = "make one with nonhertz.report.TitleBlock"
         raise InputError("title_block", title_block, "be a TitleBlock", remedy)
     with display_units(units):
-        found = examined(settled(cases, announce), life=life, stress=stress, compare=compare, announce=announce)
-        return rendered(found, title_block)
+        results = post_process(solve_all(cases, announce), life=life, stress=stress, compare=compare, announce=announce)
+        return to_html(results, title_block)
 
 
-def rendered(found: Sequence[Results], block: TitleBlock | None = None) -> str:
+def to_html(results: Sequence[Results], block: TitleBlock | None = None) -> str:
     """Return the text of the report on these results; what ``block`` leaves empty in its head is that of the first.
 
-    Of several there is a comparison, and of each what is not compared, folded.
+    Several are compared; what is not compared of each is folded.
     """
-    words = _OF_BEARING if isinstance(found[0], BearingResults) else _OF_CONTACT
-    head = (block or TitleBlock()).over(found[0].case.title_block)
-    if len(found) == 1:
-        only = found[0]
-        shown = _shown(only)
-        drawn = figures.belonging(only)
+    words = _OF_BEARING if isinstance(results[0], BearingResults) else _OF_CONTACT
+    head = (block or TitleBlock()).over(results[0].case.title_block)
+    if len(results) == 1:
+        only = results[0]
+        shown = _result_sections(only)
+        drawn = figures.draw_figures(only)
         first = Section("", drawn.pop(""))
         with_figures = [Section(title, [*blocks, *drawn.get(title, [])]) for title, blocks in shown]
-        part = Part(only, [first, *with_figures, *_given(only, words)], numbers=key_numbers(only))
-        return laid_out(only.case.title, words, head, opening(only), [part])
-    labels, rows = [each.label for each in found], results(found)
-    parts = [Part(None, _compared(found, rows, words))]
-    for number, each in enumerate(found, start=1):
-        parts.append(Part(each, folded=_given(each, words), anchor=f"case-{number}", opening=opening(each)))
-    title = f"{joined(labels)} compared" if len(found) <= MOST_NAMED else f"{len(found)} {words.one}s compared"
-    return laid_out(title, words, head, conclusion(rows, labels), parts)
+        part = Part(only, [first, *with_figures, *_basis_sections(only, words)], numbers=key_numbers(only))
+        return render_page(only.case.title, words, head, opening_sentence(only), [part])
+    labels, rows = [result.label for result in results], result_rows(results)
+    parts = [Part(None, _comparison_sections(results, rows, words))]
+    parts += [
+        Part(result, folded=_basis_sections(result, words), anchor=f"case-{number}", opening=opening_sentence(result))
+        for number, result in enumerate(results, start=1)
+    ]
+    title = f"{joined(labels)} compared" if len(results) <= MOST_NAMED else f"{len(results)} {words.one}s compared"
+    return render_page(title, words, head, summarize(rows, labels), parts)
 
 
-def _shown(found: Results) -> list[Section]:
+def _result_sections(result: Results) -> list[Section]:
     """Return what a terminal shows of results, too."""
-    if isinstance(found, BearingResults):
-        if found.solution is None:
+    if isinstance(result, BearingResults):
+        if result.solution is None:
             return []
-        sections = _joined(bearing.sections(found.case, found.solution, found.life, found.reason))
-        if found.slices is not None:
-            sections += bearing.compared_sections(found.case, found.solution, found.slices)
+        sections = _join_short_sections(bearing.sections(result.case, result.solution, result.life, result.reason))
+        if result.slices is not None:
+            sections += bearing.compared_sections(result.case, result.solution, result.slices)
         return sections
-    sections = contact.sections(found.solution, found.case)
-    if found.stress is not None:
-        sections += stresses.sections(found.solution, *found.stress, found.strengths)
-    return sections + (life_shown.sections(found.lives) if found.lives else [])
+    sections = contact.sections(result.solution, result.case)
+    if result.stress is not None:
+        sections += stresses.sections(result.solution, *result.stress, result.strengths)
+    return sections + (life_shown.sections(result.lives) if result.lives else [])
 
 
-def _joined(sections: Sequence[Section]) -> list[Section]:
+def _join_short_sections(sections: Sequence[Section]) -> list[Section]:
     """Return sections, of which those of short summaries share a heading and stand beside each other on paper."""
     sections = [*map(_without_method, sections)]
     short = [section for section in sections if section.title in _SHORT]
@@ -160,61 +163,65 @@ def _without_method(section: Section) -> Section:
     return Section(section.title, blocks)
 
 
-def _given(found: Results, words: Words) -> list[Section]:
+def _basis_sections(result: Results, words: Words) -> list[Section]:
     """Return what results rest on: inputs, assumptions, method, references and files."""
-    every = assumptions(found)
-    beyond = [f"{each.name}: {each.criterion}. {each.remark}".strip() for each in every if each.number == NO_INPUT]
-    judged = [each for each in every if each.number != NO_INPUT]
-    holding = [each for each in judged if each.verdict is Verdict.HOLDS]
-    others = _judged([each for each in judged if each not in holding], words)
-    names = "; ".join(each.name for each in holding)
-    held = [
-        Said([f"These hold: {names[:1].lower()}{names[1:]}."] if holding else []),
-        replace(_judged(holding, words), folded="What these are, and the numbers"),
-    ]
-    paragraphs, references = method(found)
-    derived = Table(geometry(found), layout="inputs follows", title="Derived quantities")
+    paragraphs, references = describe_method(result)
+    derived = Table(derived_quantities(result), layout="inputs follows", title="Derived quantities")
+    tables = chain.from_iterable(map(_input_tables, collect_inputs(result.case)))
     return [
-        Section("Inputs", [*(table for group in inputs(found.case) for table in _tables(group)), derived]),
-        *_measured(found.case),
-        Section(
-            "Assumptions and whether they hold",
-            [others, *held, Said(["No input shows whether these hold.", *beyond])],
-        ),
-        Section("Method", [Said(paragraphs, "paragraphs")]),
-        Section("References", [Said(references, "references")]),
-        Section("Files", [Files(found.case, downloads(found))]),
+        Section("Inputs", [*tables, derived]),
+        *_measured_sections(result.case),
+        Section("Assumptions and whether they hold", _assumption_blocks(judge_assumptions(result), words)),
+        Section("Method", [Notes(paragraphs, "paragraphs")]),
+        Section("References", [Notes(references, "references")]),
+        Section("Files", [Files(result.case, collect_downloads(result))]),
     ]
 
 
-def _judged(found: Sequence[Assumption], words: Words) -> Table:
+def _assumption_blocks(assumptions: Sequence[Assumption], words: Words) -> list[Block]:
+    """Return the assumptions that are strained or open first, then those that hold, and those that no input shows."""
+    judged = [assumption for assumption in assumptions if assumption.number != NO_INPUT]
+    holding = [assumption for assumption in judged if assumption.verdict is Verdict.HOLDS]
+    names = "; ".join(assumption.name for assumption in holding)
+    beyond = [
+        f"{assumption.name}: {assumption.criterion}. {assumption.remark}".strip()
+        for assumption in assumptions
+        if assumption.number == NO_INPUT
+    ]
+    return [
+        _assumption_table([assumption for assumption in judged if assumption not in holding], words),
+        Notes([f"These hold: {names[:1].lower()}{names[1:]}."] if holding else []),
+        replace(_assumption_table(holding, words), folded="What these are, and the numbers"),
+        Notes(["No input shows whether these hold.", *beyond]),
+    ]
+
+
+def _assumption_table(assumptions: Sequence[Assumption], words: Words) -> Table:
     """Return assumptions with their criteria, numbers and verdicts, each with its remark below."""
-    rows = [
-        row
-        for each in found
-        for row in ((each.name, each.criterion, each.number, each.verdict.value), (Cell("", each.remark),))
-        if any(map(any, row))
-    ]
+    rows: list[tuple[str | Cell, ...]] = []
+    for assumption in assumptions:
+        rows.append((assumption.name, assumption.criterion, assumption.number, assumption.verdict.value))
+        rows += [(Cell("", assumption.remark),)] * bool(assumption.remark)
     return Table(rows, ("Assumption", "Holds where", f"This {words.one}", "Verdict"), layout="assumptions")
 
 
-def _tables(group: InputGroup) -> Iterator[Table]:
+def _input_tables(group: InputGroup) -> Iterator[Table]:
     """Yield the inputs that were given, and the usual ones, folded."""
-    usual = [each for each in group.entries if each.default]
-    rows = [_input(each) if isinstance(each, Entry) else each for each in group.rows if each not in usual]
+    defaults = [entry for entry in group.entries if entry.default]
+    rows = [_input_row(row) if isinstance(row, Entry) else row for row in group.rows if row not in defaults]
     yield Table(rows, layout="inputs", title=group.title)
-    if usual:
-        keys = ", ".join(each.name for each in usual)
-        folded = f"{len(usual)} default{'s' if len(usual) > 1 else ''}: {keys}"
-        yield Table([_input(each) for each in usual], layout="inputs", folded=folded)
+    if defaults:
+        keys = ", ".join(entry.name for entry in defaults)
+        folded = f"{len(defaults)} default{'s' if len(defaults) > 1 else ''}: {keys}"
+        yield Table([*map(_input_row, defaults)], layout="inputs", folded=folded)
 
 
-def _input(entry: Entry) -> tuple[str | Cell, ...]:
+def _input_row(entry: Entry) -> tuple[str | Cell, ...]:
     written = f"written {entry.written}" if entry.written else ""
-    return entry.name, Cell(entry.shown, written), entry.meaning
+    return entry.name, Cell(entry.value_with_unit, written), entry.meaning
 
 
-def _measured(case: Case | BearingCase) -> Iterator[Section]:
+def _measured_sections(case: Case | BearingCase) -> Iterator[Section]:
     """Yield what was done to the measured profiles whose files are available, step by step."""
     for place, body in body_tables(case.document):
         for number, table in enumerate(profile_tables(body), start=1):
@@ -222,31 +229,28 @@ def _measured(case: Case | BearingCase) -> Iterator[Section]:
             if table.get("kind") == KIND and content is not None:
                 values = {key: validate_key(key, value) for key, value in table.items() if key != "kind"}
                 measured = read_measured(content, values, file)
-                drawn = figures.pictures_of({"": measured_steps(measured)})
-                title = f"What was done to {file}: {in_words(f'{place}.profile[{number}]')}"
+                drawn = figures.draw_pictures({"": measured_steps(measured)})
+                title = f"What was done to {file}: {readable_place(f'{place}.profile[{number}]')}"
                 yield Section(title, [summary(measured_shown.rows(measured)), *drawn])
 
 
-def _compared(found: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:
+def _comparison_sections(results: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:
     """Return several results beside the first: inputs, figure, numbers, given as rows, and lives."""
-    labels = [each.label for each in found]
-    differing, same, notes = differing_inputs([inputs(each.case) for each in found])
-    blocks: list[Block] = [Said([f"None differ: the {words.one}s have the same."], "paragraphs")]
+    labels = [result.label for result in results]
+    differing, same, notes = compare_inputs([collect_inputs(result.case) for result in results])
+    blocks: list[Block] = [Notes([f"The {words.one}s have the same inputs."], "paragraphs")]
     if differing:
-        blocks = [beside(differing, labels, "Inputs that differ"), Said(notes)]
+        blocks = [beside(differing, labels, "Inputs that differ"), Notes(notes)]
     sections = [
-        Section("", [Table(verdicts(found), layout="summary")]),
+        Section("", [Table(verdict_rows(results), layout="summary")]),
         Section("Inputs", blocks),
-        Section("", figures.of_all(found)),
+        Section("", figures.draw_comparison(results)),
         Section(
             "Results",
-            [
-                beside(rows, labels, "Result"),
-                Said([f"Percentages are differences from the first {words.one}."]),
-            ],
+            [beside(rows, labels, "Result"), Notes([f"Percentages are differences from the first {words.one}."])],
         ),
     ]
-    contacts = [each for each in found if isinstance(each, CaseResults)]
-    if contacts and contacts[0].lives and any(each.lives for each in contacts[1:]):
-        sections.append(life_shown.compared_section([(each.label, each.lives) for each in contacts]))
+    lives = [(result.label, result.lives) for result in results if isinstance(result, CaseResults)]
+    if lives and lives[0][1] and any(life for _, life in lives[1:]):
+        sections.append(life_shown.compared_section(lives))
     return [*sections, Section("Inputs that are the same", [Table(same, layout="inputs")] if same else [])]

@@ -19,23 +19,24 @@ from nonhertz.files.stresses import all_findings
 from nonhertz.files.toml import name_file_in_errors
 from nonhertz.findings import sentences
 from nonhertz.inputs.files import printable_name
+from nonhertz.life import Model
 from nonhertz.result.solution import Solution
 from nonhertz.show.analysis import (
     Announce,
-    assessed,
-    bears_something,
-    in_silence,
+    assess_lives,
+    choose_models,
+    has_strength,
     largest_stresses,
-    models_for,
-    spectrum_solved,
+    no_progress,
+    solve_loads,
     strengths,
 )
-from nonhertz.show.solving import attempted
+from nonhertz.show.solving import try_solve
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes
 from nonhertz.verdict import Verdict, collect_findings, judge_contact, worst_verdict
 
-Given = TypeVar("Given")
+Item = TypeVar("Item")
 Made = TypeVar("Made")
 STRESS_STEPS = 2  # in the whole body and in a cross-section
 
@@ -128,14 +129,14 @@ class BearingResults:
     def warnings(self) -> tuple[str, ...]:
         """All warnings, without repeats."""
         clearance = self.case.operating_clearance
-        found = () if self.solution is None else sentences(collect_findings(self.solution, self.life, clearance))
-        return tuple(dict.fromkeys((*self.case.notes, *found)))
+        messages = () if self.solution is None else sentences(collect_findings(self.solution, self.life, clearance))
+        return tuple(dict.fromkeys((*self.case.notes, *messages)))
 
 
 Results = CaseResults | BearingResults
 
 
-def of_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingCase]:
+def require_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingCase]:
     """Return the cases, which must be all of one kind.
 
     Raises
@@ -151,7 +152,7 @@ def of_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | BearingC
     return cases
 
 
-def settled(cases: Sequence[Case | BearingCase], announce: Announce = in_silence) -> tuple[Results, ...]:
+def solve_all(cases: Sequence[Case | BearingCase], announce: Announce = no_progress) -> tuple[Results, ...]:
     """Return the solutions of all cases, or of all bearings; ``announce`` is called with the label of each.
 
     Raises
@@ -162,27 +163,27 @@ def settled(cases: Sequence[Case | BearingCase], announce: Announce = in_silence
         If a case made in Python has something no case file can hold, which a report shows, or there are cases of both
         kinds; before anything is solved.
     """
-    for case in of_one_kind(cases):
+    for case in require_one_kind(cases):
         _ = case.document
-    each = list(zip(cases, labels(cases), strict=True))
-    return tuple(of_each(each, lambda one: one[0].file_name, lambda one: _solved(*one, announce)))
+    labelled = list(zip(cases, case_labels(cases), strict=True))
+    return tuple(make_all(labelled, lambda pair: pair[0].file_name, lambda pair: _solve(*pair, announce)))
 
 
-def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: Callable[[Given], Made]) -> list[Made]:
-    """Return what is made of each.
+def make_all(items: Sequence[Item], name: Callable[[Item], str | Path], make: Callable[[Item], Made]) -> list[Made]:
+    """Return what is made of each item.
 
     Raises
     ------
     CaseError
-        With every mistake; with several, each is prefixed by the name of what it is in.
+        With every mistake; with several items, each is prefixed by the name of what it is in.
     """
     made: list[Made] = []
     mistakes: list[str] = []
     places: list[str] = []
-    for each in given:
+    for item in items:
         try:
-            with name_file_in_errors(name(each)) if len(given) > 1 else contextlib.nullcontext():
-                made.append(make(each))
+            with name_file_in_errors(name(item)) if len(items) > 1 else contextlib.nullcontext():
+                made.append(make(item))
         except CaseError as error:
             mistakes += error.mistakes
             places += error.places
@@ -191,10 +192,10 @@ def of_each(given: Sequence[Given], name: Callable[[Given], str | Path], make: C
     return made
 
 
-def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results:
+def _solve(case: Case | BearingCase, label: str, announce: Announce) -> Results:
     announce(label)
     if isinstance(case, Case):
-        return CaseResults(case, label, *attempted(case))
+        return CaseResults(case, label, *try_solve(case))
     with without_accuracy_warnings():
         try:
             return BearingResults(case, label, case.solve())
@@ -204,20 +205,20 @@ def _solved(case: Case | BearingCase, label: str, announce: Announce) -> Results
             raise with_file_path(error, document=case.document) from None
 
 
-def examined(
-    found: Sequence[Results],
+def post_process(
+    results: Sequence[Results],
     *,
     life: bool | None = None,
     stress: bool = True,
     compare: bool = False,
-    announce: Announce = in_silence,
+    announce: Announce = no_progress,
 ) -> tuple[Results, ...]:
     """Return results with all that follows from the solutions, where requested and the case has converged.
 
     Parameters
     ----------
-    found : sequence of CaseResults or of BearingResults
-        What `settled` returned.
+    results : sequence of CaseResults or of BearingResults
+        What `solve_all` returned.
     life : bool or None
         Whether to assess lives; None for only those cases that mention life, and for all bearings.
     stress : bool
@@ -225,57 +226,63 @@ def examined(
     compare : bool
         Whether to solve bearings by slices as well.
     announce : callable
-        Called with the name of each step as it begins; `steps` returns how often.
+        Called with the name of each step as it begins; `count_steps` returns how often.
     """
-    living = [each for each in found if isinstance(each, CaseResults) and _wants_life(each, life)]
+    living = [result for result in results if isinstance(result, CaseResults) and _wants_life(result, life)]
     # By the models of the first case, so that lives can be compared.
-    models, notes = models_for(living[0].case, (), [each.case for each in living]) if living else ((), ())
+    models, notes = choose_models(living[0].case, (), [result.case for result in living]) if living else ((), ())
 
-    def after(each: Results) -> Results:
-        if each.complaint or each.solution is None:
-            return each
-        if isinstance(each, BearingResults):
-            return _rated(each, life is not False, compare)
+    def process(result: Results) -> Results:
+        if result.complaint or result.solution is None:
+            return result
+        if isinstance(result, BearingResults):
+            return _rate_bearing(result, life is not False, compare)
         if stress:
-            largest = largest_stresses(each.solution, announce=announce)
-            each = replace(each, stress=largest, strengths=strengths(each.solution, largest[0], announce))
-        if not _wants_life(each, life):
-            return each
-        try:
-            return replace(each, lives=assessed(each.case, spectrum_solved(each.case), models, notes, announce))
-        except ConvergenceError as error:
-            return replace(each, complaint=str(error))
+            result = _with_stress(result, announce)
+        return _with_life(result, models, notes, announce) if _wants_life(result, life) else result
 
-    return tuple(of_each(found, lambda each: each.case.file_name, after))
+    return tuple(make_all(results, lambda result: result.case.file_name, process))
 
 
-def steps(found: Sequence[Results], *, life: bool | None = None, stress: bool = True) -> int:
-    """Return how many steps `examined` will announce."""
-    contacts = [each for each in found if isinstance(each, CaseResults)]
-    searches = sum(
-        STRESS_STEPS + bears_something(each.solution.contact.b) for each in contacts if stress and not each.complaint
-    )
-    return searches + sum(each.case.life.steps for each in contacts if _wants_life(each, life))
+def _with_stress(result: CaseResults, announce: Announce) -> CaseResults:
+    largest = largest_stresses(result.solution, announce=announce)
+    return replace(result, stress=largest, strengths=strengths(result.solution, largest[0], announce))
 
 
-def _rated(found: BearingResults, rated: bool, compare: bool) -> BearingResults:
+def _with_life(
+    result: CaseResults, models: tuple[Model, ...], notes: tuple[str, ...], announce: Announce
+) -> CaseResults:
+    try:
+        return replace(result, lives=assess_lives(result.case, solve_loads(result.case), models, notes, announce))
+    except ConvergenceError as error:
+        return replace(result, complaint=str(error))
+
+
+def count_steps(results: Sequence[Results], *, life: bool | None = None, stress: bool = True) -> int:
+    """Return how many steps `post_process` will announce."""
+    contacts = [result for result in results if isinstance(result, CaseResults) and not result.complaint]
+    searches = sum(STRESS_STEPS + has_strength(result.solution.contact.b) for result in contacts) if stress else 0
+    return searches + sum(result.case.life.steps for result in contacts if _wants_life(result, life))
+
+
+def _rate_bearing(result: BearingResults, rated: bool, compare: bool) -> BearingResults:
     """Return a bearing with its rating, and by slices."""
-    assert found.solution is not None
+    assert result.solution is not None
     with without_accuracy_warnings():
-        life, reason = found.case.rated(found.solution) if rated else (None, "")
+        life, reason = result.case.rated(result.solution) if rated else (None, "")
         try:
-            slices = found.case.solve("slices") if compare and found.solution.method == "strips" else None
+            slices = result.case.solve("slices") if compare and result.solution.method == "strips" else None
         except ConvergenceError as error:
-            return BearingResults(found.case, found.label, None, str(error))
-    return replace(found, life=life, reason=reason, slices=slices)
+            return BearingResults(result.case, result.label, None, str(error))
+    return replace(result, life=life, reason=reason, slices=slices)
 
 
-def _wants_life(found: CaseResults, life: bool | None) -> bool:
-    says_of_life = found.case.life != Life()
-    return not found.complaint and (says_of_life if life is None else life)
+def _wants_life(result: CaseResults, life: bool | None) -> bool:
+    says_of_life = result.case.life != Life()
+    return not result.complaint and (says_of_life if life is None else life)
 
 
-def labels(cases: Sequence[Case | BearingCase]) -> list[str]:
+def case_labels(cases: Sequence[Case | BearingCase]) -> list[str]:
     """Return the label of each case in tables and legends: its file's name, with its path or a number if ambiguous."""
     names = [Path(case.file_name).stem for case in cases]
     if len(set(names)) < len(names):

@@ -23,7 +23,7 @@ from nonhertz.life import assess as assess_life
 from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.solution import Solution
-from nonhertz.show.solving import solved
+from nonhertz.show.solving import solve_case
 from nonhertz.strength import Strength, assess
 from nonhertz.subsurface import Extremes, extremes
 
@@ -31,20 +31,20 @@ Spectrum = tuple[tuple[Solution, float], ...]
 Announce = Callable[[str], None]
 
 
-def in_silence(name: str) -> None:
+def no_progress(name: str) -> None:
     """Announce nothing."""
 
 
-def spectrum_solved(case: Case) -> Spectrum:
-    """Return the solutions for all loads of a case with their shares of the revolutions; raises what `solved` does."""
+def solve_loads(case: Case) -> Spectrum:
+    """Return the solutions for all loads of a case, with their shares of the revolutions; raises as `solve_case`."""
     if not case.life.spectrum:
-        return ((solved(case), 1.0),)
-    with _in_the_words_of_the_file():
+        return ((solve_case(case), 1.0),)
+    with _name_keys_in_errors():
         return solve_spectrum(case.contact, case.life.spectrum, **case.solver.keywords)
 
 
 def largest_stresses(
-    solution: Solution, station: float | None = None, body: BodyName = "a", announce: Announce = in_silence
+    solution: Solution, station: float | None = None, body: BodyName = "a", announce: Announce = no_progress
 ) -> tuple[Extremes, Extremes]:
     """Return the largest stresses in a body and in the cross-section of its largest von Mises stress.
 
@@ -83,14 +83,14 @@ def largest_stresses(
     return overall, replace(section, findings=(*section.findings, *near))
 
 
-def bears_something(body: Body) -> bool:
+def has_strength(body: Body) -> bool:
     """Return whether anything is known of what a body bears."""
     material = body.material
     known = (material.yield_strength, material.core_yield_strength, material.pressure_limit, body.case_depth)
     return any(requirement is not None for requirement in known)
 
 
-def strengths(solution: Solution, overall: Extremes, announce: Announce = in_silence) -> tuple[Strength, ...]:
+def strengths(solution: Solution, overall: Extremes, announce: Announce = no_progress) -> tuple[Strength, ...]:
     """Return whether the bodies bear it: that of the stresses at hand, and the other if anything is known of it.
 
     Parameters
@@ -104,13 +104,13 @@ def strengths(solution: Solution, overall: Extremes, announce: Announce = in_sil
     """
     assessments = [assess(solution, body=overall.body, largest=overall)]
     other: BodyName = "b" if overall.body == "a" else "a"
-    if bears_something(solution.contact.b if other == "b" else solution.contact.a):
+    if has_strength(solution.contact.b if other == "b" else solution.contact.a):
         announce(f"body {other}")
         assessments.append(assess(solution, body=other))
     return tuple(assessments)
 
 
-def models_for(
+def choose_models(
     case: Case, names: Sequence[str] = (), others: Iterable[Case] = ()
 ) -> tuple[tuple[Model, ...], tuple[str, ...]]:
     """Return the requested models with the parameters of a case, and notes on any left out.
@@ -125,12 +125,12 @@ def models_for(
     return volume_models, ("iso-16281 is left out: it needs a length on which the bodies can touch.",)
 
 
-def assessed(
+def assess_lives(
     case: Case,
     spectrum: Spectrum,
     models: tuple[Model, ...],
     notes: tuple[str, ...] = (),
-    announce: Announce = in_silence,
+    announce: Announce = no_progress,
 ) -> Assessment:
     """Return the lives of both bodies of a solved case.
 
@@ -140,7 +140,7 @@ def assessed(
         If one of the models cannot give a life.
     """
     lives = {}
-    with _in_the_words_of_the_file():
+    with _name_keys_in_errors():
         for body in BODIES:
             lives[body] = assess_life(
                 spectrum,
@@ -148,7 +148,7 @@ def assessed(
                 body=body,
                 rollers=case.life.rollers,
                 contact_angle=case.life.contact_angle,
-                callback=_announcer(announce, body, len(spectrum)),
+                callback=_announce_loads(announce, body, len(spectrum)),
             )
         settings = replace(case.life, models=tuple(model.name for model in models))
         of_models = collect_assumptions({"life": settings}, None if case.origin is None else case.origin.document)
@@ -168,7 +168,7 @@ def assessed(
 
 
 @contextlib.contextmanager
-def _in_the_words_of_the_file() -> Iterator[None]:
+def _name_keys_in_errors() -> Iterator[None]:
     """Turn errors into ones that name the key of the case file, and suppress warnings, which the results carry."""
     with without_accuracy_warnings():
         try:
@@ -177,7 +177,7 @@ def _in_the_words_of_the_file() -> Iterator[None]:
             raise with_file_path(error) from None
 
 
-def _announcer(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:
+def _announce_loads(announce: Announce, body: BodyName, loads: int) -> Callable[[int, int], None]:
     """Announce a body, and return a callback that announces each further load."""
     names = iter([f"body {body}{f', load {number} of {loads}' * (loads > 1)}" for number in range(1, loads + 1)])
     announce(next(names))

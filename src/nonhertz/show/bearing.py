@@ -22,7 +22,13 @@ from nonhertz.amounts import (
     um,
 )
 from nonhertz.bearing.assessed import LEFT_OUT, BearingLife
-from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
+from nonhertz.bearing.bearings import (
+    CylindricalRollerBearing,
+    CylindricalThrustBearing,
+    RollerBearing,
+    SphericalRollerBearing,
+    TaperedRollerBearing,
+)
 from nonhertz.bearing.equilibrium import NO_LOAD, drop_rounding
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.fits import Range
@@ -39,7 +45,7 @@ from nonhertz.show.beside import ABSENT, beside, changes, compared
 from nonhertz.show.films import film_rows
 from nonhertz.show.friction import friction_rows, limit_rows
 from nonhertz.show.lives import of_life
-from nonhertz.show.sections import Cell, Row, Said, Section, Table, assumed_rows, summary
+from nonhertz.show.sections import Cell, Notes, Row, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
 
 OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
@@ -53,6 +59,7 @@ TOLERANCES, ALL_ROLLERS = "Tolerances", "All rollers"
 #: The name of the row that begins the last rows of the summary, on how it was solved.
 METHOD = "method"
 _REVOLUTIONS = " million revolutions"
+_WithClearance = CylindricalRollerBearing | SphericalRollerBearing | TaperedRollerBearing
 _PLAY = 1e-3  # mm, below which diameters are rounded
 
 
@@ -82,7 +89,7 @@ def compared_sections(case: BearingCase, strips: BearingSolution, slices: Bearin
     numbers = [clean_numbers(alike, SolvedBearing(case, solution)) for solution in (strips, slices)]
     return [
         Section("Strips beside slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
-        Section("", [compared_table(strips, slices), Said([OF_LARGEST])]),
+        Section("", [compared_table(strips, slices), Notes([OF_LARGEST])]),
     ]
 
 
@@ -212,7 +219,7 @@ def tolerance_section(case: BearingCase, tolerances: Tolerances) -> Section:
         if any(map(math.isfinite, values.values)):
             rows.append(_row_of(f"{QUANTITIES[name].label} {QUANTITIES[name].symbol}".strip(), values))
     heads = ("", "least clearance", "likely", "greatest clearance", "99.7 % within")
-    return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Said([_OF_TOLERANCES])])
+    return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Notes([_OF_TOLERANCES])])
 
 
 def _range_row(name: str, length_range: Range, order: Sequence[str] = Range.AT) -> tuple[str, ...]:
@@ -248,17 +255,21 @@ def roller_table(solution: BearingSolution, films: Films | None = None) -> Table
     loads_in_words = format_column((load * solution.load).flat)
     rows = []
     for j, roller in enumerate(_rollers(solution)):
-        carries = carrying(solution)[j]
+        tilts = [format_digits(1e3 * tilt, 4) for tilt in _tilts(solution)[j]] if carrying(solution)[j] else ["", ""]
         rows.append(
             (
-                *roller, *loads_in_words[2 * j : 2 * j + 2],
-                *(format_digits(1e3 * tilt, 4) if carries else "" for tilt in _tilts(solution)[j]),
-                *(format_digits(pressure * p, 4) if p > 0.0 else "" for p in pressures[j]),
+                *roller, *loads_in_words[2 * j : 2 * j + 2], *tilts,
+                *_format_positive(pressure * pressures[j], 4),
                 format_digits(rib * ribs[j], 4) if ribbed else "",
-                *(format_digits(film * h, 3) if h > 0.0 else "" for h in (least[j] if films else ())),
+                *(_format_positive(film * least[j], 3) if films else ()),
             )
         )  # fmt: skip
     return Table(rows, heads, (), "numbers narrow")
+
+
+def _format_positive(values: NDArray[np.float64], digits: int) -> list[str]:
+    """Return numbers in words; blank where they are not positive."""
+    return [format_digits(value, digits) if value > 0.0 else "" for value in values.tolist()]
 
 
 def clean(quantity: Quantity, solved: SolvedBearing) -> float:
@@ -309,14 +320,8 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
         ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {mm(row.pitch):g}"),
     ]
-    if hasattr(row, "clearance"):
-        clearance, group = row.clearance_range.likely, row.clearance if isinstance(row.clearance, str) else ""
-        way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
-        when, shown = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
-        of_group = f", the mean of {group}" if group else ""
-        table.append(("clearance", shown, f"{way}{when}{', of each row' if rows > 1 else ''}{of_group}"))
-        if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
-            table.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
+    if isinstance(row, _WithClearance):
+        table += _clearance_rows(row, fitted, ", of each row" if rows > 1 else "")
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
         table.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
@@ -324,6 +329,17 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
         between = um(round(bearing.clearance, 5))
         table.append(("clearance of the rows", f"{between:g}", "axial"))
     return table
+
+
+def _clearance_rows(row: _WithClearance, fitted: bool, which: str) -> list[Row]:
+    clearance = row.clearance_range.likely
+    group = f", the mean of {row.clearance}" if isinstance(row.clearance, str) else ""
+    way = "axial" if isinstance(row, TaperedRollerBearing) else "radial"
+    when, words = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
+    rows = [("clearance", words, f"{way}{when}{which}{group}")]
+    if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
+        rows.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
+    return rows
 
 
 def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
@@ -385,23 +401,24 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
 
 def _zones(solution: BearingSolution) -> str:
     """Return in words from which to which roller loaded ones follow each other, for every row."""
-    sentences = []
-    for number, row in enumerate(solution.bearing.rows, start=1):
-        angle, loaded = solution.angle[row.rollers], carrying(solution)[row.rollers]
-        starts, ends = (angle[loaded & ~np.roll(loaded, step)] for step in (1, -1))
-        if loaded.all():
-            starts, ends = angle[:1], angle[-1:]
-        elif starts.size and ends[0] < starts[0]:  # through the angle zero
-            starts = np.roll(starts, 1) - 2.0 * math.pi * (np.arange(starts.size) == 0)
-        words = [
-            f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low)
-            for low, high in zip(starts, ends, strict=True)
-        ]
-        here = f"{' and '.join(words)} degrees" if words else "none"
-        if loaded.all() and row.bearing.rollers > 1:
-            here = "all round"
-        sentences.append(f"row {number}: {here}" if len(solution.bearing.rows) > 1 else here)
-    return "; ".join(sentences)
+    rows, carries = solution.bearing.rows, carrying(solution)
+    zones = [_zone(solution.angle[row.rollers], carries[row.rollers]) for row in rows]
+    return "; ".join(f"row {number}: {zone}" for number, zone in enumerate(zones, start=1)) if rows[1:] else zones[0]
+
+
+def _zone(angle: NDArray[np.float64], loaded: NDArray[np.bool_]) -> str:
+    if loaded.all():
+        return "all round" if loaded.size > 1 else f"{_degrees(angle[0])} degrees"
+    starts, ends = (angle[loaded & ~np.roll(loaded, step)] for step in (1, -1))
+    if not starts.size:
+        return "none"
+    if ends[0] < starts[0]:  # through the angle zero
+        starts = np.roll(starts, 1) - 2.0 * math.pi * (np.arange(starts.size) == 0)
+    words = [
+        f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low)
+        for low, high in zip(starts, ends, strict=True)
+    ]
+    return f"{' and '.join(words)} degrees"
 
 
 def _tilts(solution: BearingSolution) -> NDArray[np.float64]:

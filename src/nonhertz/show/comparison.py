@@ -9,7 +9,7 @@ from nonhertz.comparison import Comparison, Stretch
 from nonhertz.comparison.quantities import LARGEST
 from nonhertz.errors import joined
 from nonhertz.show.beside import Cells, Compared, beside
-from nonhertz.show.sections import Said, Section
+from nonhertz.show.sections import Notes, Section
 
 
 def sections(comparison: Comparison) -> list[Section]:
@@ -25,7 +25,7 @@ def sections(comparison: Comparison) -> list[Section]:
         ("size", f"{across} x {along} cells", semi, parabolic),
         ("time", *times),
     ]
-    return [Section("", [beside(rows, ("plane grid", "semi-elliptic", "parabolic")), Said(_sentences(comparison))])]
+    return [Section("", [beside(rows, ("plane grid", "semi-elliptic", "parabolic")), Notes(_sentences(comparison))])]
 
 
 def _sentences(comparison: Comparison) -> list[str]:

@@ -14,9 +14,7 @@ NO_ROUGHNESS = "give roughness, Rq, of rollers and both rings"
 def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
     """Return name, value and remark of the least film, its film parameter, and the oil; why there are none."""
     if films is None or films.least is None:
-        missing = [] if case.prescribed.speed else ["load.speed"]
-        missing += [] if films or case.lubrication.dynamic_viscosity else ["an oil in [lubrication]"]
-        return [("least film", "not judged", f"give {' and '.join(missing)}" if missing else "no load")]
+        return [("least film", "not judged", _why_no_films(case, films))]
     at = films.least
     roller, ring = at
     place = f"{RINGS[ring]} ring, {films.solution.place_of(roller)}, y = {mm(films.least_film_y[at]):4}"
@@ -36,6 +34,12 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
         if speed > 0.0:
             rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
     return [*rows, *_oil_rows(films)]
+
+
+def _why_no_films(case: BearingCase, films: Films | None) -> str:
+    missing = [] if case.prescribed.speed else ["load.speed"]
+    missing += [] if films or case.lubrication.dynamic_viscosity else ["an oil in [lubrication]"]
+    return f"give {' and '.join(missing)}" if missing else "no load"
 
 
 def _metres(speed: float) -> str:

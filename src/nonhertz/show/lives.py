@@ -11,7 +11,7 @@ from nonhertz.files.lives import Assessment
 from nonhertz.life import RATED, Model, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.show.beside import ABSENT, Cells, beside
-from nonhertz.show.sections import Cell, Said, Section, Table, assumed_rows, summary
+from nonhertz.show.sections import Cell, Notes, Section, Table, assumed_rows, summary
 from nonhertz.verdict import judge_contact
 
 _IDEAL = (
@@ -36,7 +36,8 @@ def sections(assessment: Assessment) -> list[Section]:
     assumptions = [summary(assumed_rows(assessment.assumed))] if assessment.assumed else []
     return [
         Section(
-            "Life", [loads_table(assessment), Table(rows, heads, (0, 4)), *assumptions, Said(sentences(assessment))]
+            "Life",
+            [loads_table(assessment), Table(rows, heads, (0, 4)), *assumptions, Notes(sentences(assessment))],
         )
     ]
 
@@ -53,7 +54,7 @@ def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Sectio
         words for assessment in others if first and assessment for words in _without_ratio(assessment, first)
     )
     table = replace(beside(rows, labels, "Life relative to the ideal one"), remarks="ratio")
-    return Section("Lives", [table, Said([RATIO, *without])])
+    return Section("Lives", [table, Notes([RATIO, *without])])
 
 
 def _beside_first(assessment: Assessment | None, first: Assessment | None, body: BodyName, number: int) -> Cell:
@@ -74,15 +75,18 @@ def sentences(assessment: Assessment) -> list[str]:
         lines.append("none: there is no damage, not even under the ideal pressure.")
     if any(life.relative_life == 0.0 for life in lives):
         lines.append("0: under the ideal pressure there is no damage.")
-    if any(assessment.million_revolutions(number) is not None for number in range(len(assessment.lives["a"]))):
-        bearing = "its one roller bears" if assessment.rollers == 1 else f"all {assessment.rollers} rollers bear"
-        load = "this load" if len(assessment.spectrum) == 1 else "these loads"
-        lines.append(f"L10 is the life of the ring, body {assessment.raceway}, that 90 % reach where {bearing} {load}.")
-    else:
-        of_ring = assessment.lives[assessment.raceway or "b"]
-        why = dict.fromkeys(life.no_revolutions for life in of_ring if life.model.name in RATED)
-        lines += [f"No life in revolutions: {reason}." for reason in why]
-    return lines + _of_dents(assessment)
+    return [*lines, *_explain_revolutions(assessment), *_of_dents(assessment)]
+
+
+def _explain_revolutions(assessment: Assessment) -> list[str]:
+    """Return what L10 is the life of, or why there is none in revolutions."""
+    if all(assessment.million_revolutions(number) is None for number in range(len(assessment.lives["a"]))):
+        lives = assessment.lives[assessment.raceway or "b"]
+        reasons = dict.fromkeys(life.no_revolutions for life in lives if life.model.name in RATED)
+        return [f"No life in revolutions: {reason}." for reason in reasons]
+    rollers = "its one roller carries" if assessment.rollers == 1 else f"all {assessment.rollers} rollers carry"
+    load = "this load" if len(assessment.spectrum) == 1 else "these loads"
+    return [f"L10 is the life of the ring, body {assessment.raceway}, that 90 % reach where {rollers} {load}."]
 
 
 def _of_dents(assessment: Assessment) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from nonhertz.amounts import mrad, newton, um
 from nonhertz.maps import ContactMap
 from nonhertz.maps.misses import SAFETY
-from nonhertz.show.sections import Row, Said, Section, summary
+from nonhertz.show.sections import Notes, Row, Section, summary
 
 
 def sections(contact_map: ContactMap) -> list[Section]:
@@ -20,4 +20,4 @@ def sections(contact_map: ContactMap) -> list[Section]:
     sampled = (
         f"Errors are the largest of {contact_map.sampled_error.points} sampled ones, times {SAFETY:g}, and no bounds."
     )
-    return [Section("", [Said([contact_map.description]), summary(rows), Said([sampled])])]
+    return [Section("", [Notes([contact_map.description]), summary(rows), Notes([sampled])])]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nonhertz.amounts import mm, of_dimension, um, with_error
 from nonhertz.measured import Measured, ProfileFit
-from nonhertz.show.sections import Row, Said, Section, Table, summary
+from nonhertz.show.sections import Notes, Row, Section, Table, summary
 
 # An error of a length [mm] and of so many times the value: of "0 +- 28000 mm" nothing is known.
 _METRES, _SWALLOWED = 1e3, 10.0
@@ -20,7 +20,7 @@ def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Sectio
         names = [*fit.parameters, *(["shift"] if "shift" in fit.standard_errors else [])]
         residuals = f"{um(fit.rms):.3g}", f"{um(fit.largest):.3g}", f"{fit.penalised - fits[0].penalised:.1f}"
         fitted.append((fit.kind, ", ".join(_parameter(fit, name) for name in names), *residuals))
-    return [Section("", [Said(measured.trace.notes), summary(rows(measured)), Table(fitted, _FITTED, (0, 1))])]
+    return [Section("", [Notes(measured.trace.notes), summary(rows(measured)), Table(fitted, _FITTED, (0, 1))])]
 
 
 def rows(measured: Measured) -> list[Row]:

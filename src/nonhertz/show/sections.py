@@ -69,7 +69,7 @@ class Table(Block):
 
 
 @dataclass(frozen=True)
-class Said(Block):
+class Notes(Block):
     """Sentences.
 
     Attributes

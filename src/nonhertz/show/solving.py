@@ -11,7 +11,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.result.solution import Solution
 
 
-def solved(case: Case) -> Solution:
+def solve_case(case: Case) -> Solution:
     """Return the solution of a case.
 
     Raises
@@ -25,7 +25,7 @@ def solved(case: Case) -> Solution:
         return case.solve()
 
 
-def attempted(case: Case) -> tuple[Solution, str]:
+def try_solve(case: Case) -> tuple[Solution, str]:
     """Return the solution of a case, or the state in which the solver stopped, and why; empty if it converged.
 
     Raises
@@ -34,6 +34,6 @@ def attempted(case: Case) -> tuple[Solution, str]:
         If the solver rejects the case.
     """
     try:
-        return solved(case), ""
+        return solve_case(case), ""
     except ConvergenceError as error:
         return error.solution, str(error)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from nonhertz.amounts import format_digits, mm, mpa
 from nonhertz.files.stresses import LARGEST, at_station, poisson
 from nonhertz.result.solution import Solution
-from nonhertz.show.sections import Said, Section, Table
+from nonhertz.show.sections import Notes, Section, Table
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes
 
@@ -15,7 +15,11 @@ from nonhertz.subsurface import Extreme, Extremes
 def sections(solution: Solution, overall: Extremes, section: Extremes, strengths: Iterable[Strength]) -> list[Section]:
     """Return what is shown of the largest stresses, and whether the bodies bear them."""
     borne = [sentence for strength in strengths for sentence in strength.sentences]
-    blocks = [stress_table(solution, overall, section), Said(sentences(solution, section)), Said(borne, "bullets")]
+    blocks = [
+        stress_table(solution, overall, section),
+        Notes(sentences(solution, section)),
+        Notes(borne, "bullets"),
+    ]
     return [Section("Stress below the surface", blocks)]
 
 

@@ -14,7 +14,7 @@ from nonhertz.bearing.assessed import NO_OIL
 from nonhertz.bearing.quantities import LIVES
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.sections import Block, Row, Said, Section, Table, assumed_rows, summary
+from nonhertz.show.sections import Block, Notes, Row, Section, Table, assumed_rows, summary
 from nonhertz.study.design import Design
 from nonhertz.study.diagrams import Diagram
 from nonhertz.study.figures import in_words
@@ -29,9 +29,9 @@ def sweep_sections(sweep: Sweep) -> list[Section]:
     """Return what is shown of a sweep: what was varied, all rows if they are few, else their extremes, and failures."""
     results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else _extremes(sweep)
     return [
-        Section("", [Said([_counted(sweep)])]),
+        Section("", [Notes([_counted(sweep)])]),
         Section("", [summary([*_varied(sweep), *assumed_rows(sweep.assumed)])]),
-        Section("", [results, Said(_failures(sweep), "warning")]),
+        Section("", [results, Notes(_failures(sweep), "warning")]),
     ]
 
 
@@ -86,7 +86,7 @@ def diagram_sections(diagram: Diagram) -> list[Section]:
     table = Table([*zip(*columns, strict=True)], titles, ())
     return [
         Section("", [summary([*rows, *assumed_rows(sweep.assumed)])]),
-        Section("", [table, Said(_failures(sweep), "warning")]),
+        Section("", [table, Notes(_failures(sweep), "warning")]),
     ]
 
 
@@ -113,10 +113,10 @@ def tolerance_sections(study: Tolerance) -> list[Section]:
         Table(list(_strained(sweep))),
     ]
     blocks: list[list[Block]] = [[study_table] for study_table in tables if study_table.rows]
-    words: Block = Said([f"{_counted(sweep)}; {study.independent.size} independent samples"])
+    words: Block = Notes([f"{_counted(sweep)}; {study.independent.size} independent samples"])
     if others:
-        blocks.append([Said([f"In tolerance.json, too: {', '.join(others)}."])])
-    blocks[-1:] = [[*blocks[-1], Said(_failures(sweep), "warning")]]
+        blocks.append([Notes([f"In tolerance.json, too: {', '.join(others)}."])])
+    blocks[-1:] = [[*blocks[-1], Notes(_failures(sweep), "warning")]]
     return [Section("", section_blocks) for section_blocks in [[words], *blocks]]
 
 

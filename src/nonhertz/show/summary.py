@@ -35,12 +35,8 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
 
     Quantities that were given are marked as such.
     """
-    estimate, shows_penetration = solution.error_estimate, is_noticeable(solution.approach, solution.penetration)
-    # The error is that of the penetration, which is nearly the approach where it is not told.
-    errors = {"penetration" if shows_penetration else "approach": estimate.approach, "load": estimate.load}
-    prescribed = dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
-    remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()} | prescribed
-    remarks |= {"max_half_width": ("away from singular ends", "")} if solution.singular_ends else {}
+    shows_penetration = is_noticeable(solution.approach, solution.penetration)
+    remarks = _remarks(solution, case, shows_penetration)
     rows = [("status", solution.status.label, "")]
     for name in (*_FIRST, *(name for name in QUANTITIES if name not in _FIRST)):
         quantity = QUANTITIES[name]
@@ -54,6 +50,16 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))
     return [*rows, *assumed_rows((case or solution).assumed)]
+
+
+def _remarks(solution: Solution, case: Case | None, shows_penetration: bool) -> dict[str, tuple[str, str]]:
+    """Return by quantity its remark and the format of its value."""
+    estimate = solution.error_estimate
+    # The error is that of the penetration, which is nearly the approach where it is not shown.
+    errors = {"penetration" if shows_penetration else "approach": estimate.approach, "load": estimate.load}
+    remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()}
+    remarks |= dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
+    return remarks | ({"max_half_width": ("away from singular ends", "")} if solution.singular_ends else {})
 
 
 def overview_table(attempts: Sequence[Attempt]) -> Table:

@@ -73,33 +73,36 @@ def unfit(document: dict[str, Any]) -> list[InputError]:
     absent = (place for place, value in walk(document) if value is None)
     return [
         *too_long(document),
-        *(InputError(path_of(each), None, "be a number, text or a table", "leave the key out") for each in absent),
+        *(
+            InputError(path_of(missing), None, "be a number, text or a table", "leave the key out")
+            for missing in absent
+        ),
     ]
 
 
 def too_slow(document: dict[str, Any]) -> list[InputError]:
     """Return where a valid case or bearing asks for more work than the page does while the user waits."""
-    found, values = [], dict(walk(document))
+    errors, values = [], dict(walk(document))
     for place, most in _BOUNDS.items():
         value = values.get(place)
         cheap = place[-1] == "laminae" and "bearing" not in document  # those of a single contact
         if isinstance(value, int | float) and value > most and not cheap:
-            found.append(InputError(path_of(place), value, f"be at most {most} on the page", _ELSEWHERE))
-    return found
+            errors.append(InputError(path_of(place), value, f"be at most {most} on the page", _ELSEWHERE))
+    return errors
 
 
 def too_long(document: dict[str, Any]) -> list[InputError]:
     """Return where a document has more entries than a form can show."""
-    found = []
-    for place, each in walk(document):
-        most, what = (KEYS, "keys") if isinstance(each, dict) else (POINTS, "entries")
-        if isinstance(each, list) and len(each) <= POINTS:
+    errors = []
+    for place, entry in walk(document):
+        most, what = (KEYS, "keys") if isinstance(entry, dict) else (POINTS, "entries")
+        if isinstance(entry, list) and len(entry) <= POINTS:
             most, what = _LISTS.get(place, (POINTS, what))
-        if isinstance(each, dict | list) and len(each) > most:
+        if isinstance(entry, dict | list) and len(entry) > most:
             # The whole document has no name to begin the sentence with.
             path, condition = path_of(place or ("case",)), f"have at most {most} {what} on the page"
-            found.append(InputError(path, each, condition, _ELSEWHERE))
-    return found
+            errors.append(InputError(path, entry, condition, _ELSEWHERE))
+    return errors
 
 
 def is_number(value: int | float) -> bool:

@@ -10,11 +10,11 @@ from nonhertz.files.profiles import profile_tables
 from nonhertz.web.limits import POINTS
 
 
-def inlined(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
+def inline_files(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
     """Return the document of a case or a bearing with points in place of the files that profiles name, and notes on it.
 
-    The points are those that `Document.write` writes. Of the bodies that name files, profiles become lists; there is a
-    sentence for each file.
+    The points are those that `Document.write` writes. Profiles become lists in bodies that name files; each file has a
+    sentence.
     """
     document, notes, made = case.document, [], dict(body_tables(case.own_document))
     for place, body in body_tables(case.document):
@@ -23,16 +23,20 @@ def inlined(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
         drawn = [table if table["kind"] == "straight" else next(written) for table in tables]
         for number, table in enumerate(tables):
             if "file" in table:
-                points, kept = drawn[number], ""
-                count = len(points["y"])
-                every = -(-count // POINTS)
-                if every > 1:
-                    chosen = sorted({*range(0, count, every), count - 1})
-                    points = points | {name: [points[name][point] for point in chosen] for name in ("y", "relief")}
-                    kept = f", of which every {every}{ {2: 'nd', 3: 'rd'}.get(every, 'th') } is kept"
-                what = f"the {count} points of {table['file']}"
-                notes.append(f"{place}.profile[{number + 1}]: the page holds {what} itself{kept}.")
-                tables[number] = points
-        if any("file" in table for table in profile_tables(body)):
+                tables[number], words = _thin(drawn[number])
+                what = f"the {len(drawn[number]['y'])} points of {table['file']}"
+                notes.append(f"{place}.profile[{number + 1}]: the page holds {what} itself{words}.")
+        if tables != profile_tables(body):
             document = Parameter("", (*place.split("."), "profile"), None).put(document, tables)
     return document, tuple(notes)
+
+
+def _thin(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
+    """Return a table with no more points than the page takes, and in words which are kept; nothing if all are."""
+    count = len(table["y"])
+    step = -(-count // POINTS)
+    if step <= 1:
+        return table, ""
+    chosen = sorted({*range(0, count, step), count - 1})
+    points = {name: [table[name][point] for point in chosen] for name in ("y", "relief")}
+    return table | points, f", of which every {step}{ {2: 'nd', 3: 'rd'}.get(step, 'th') } is kept"

@@ -172,15 +172,15 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
             return RANGES | _of_contact(Contact(bodies.a, bodies.b))
         parts = {name: document[name] for name in OF_BEARINGS if name in document}
         unloaded = {"radial_displacement": 0.0, "axial_displacement": 0.0}
-        found = read_document(parts | {"load": unloaded}, None)
-        return RANGES | _of_bearing(found.bearing)
+        case = read_document(parts | {"load": unloaded}, None)
+        return RANGES | _of_bearing(case.bearing)
     except InputError:
         return RANGES
 
 
-def of_body(given: Mapping[str, Any]) -> dict[str, Range]:
+def of_body(table: Mapping[str, Any]) -> dict[str, Range]:
     """Return the ranges of what lies on a body or is cut out of it, as far as its length and diameter are known."""
-    length, diameter = (size_of(name, given.get(name)) for name in ("length", "diameter"))
+    length, diameter = (size_of(name, table.get(name)) for name in ("length", "diameter"))
     corner = Range(_DECADES * length, 0.25 * length, "log", 0.05 * length)
     of_length = {
         "at": Range(0.25 * length, _WITHIN * length, "linear", 0.45 * length),
@@ -200,28 +200,29 @@ def size_of(name: str, value: Any) -> float:
     return abs(size) if isinstance(size, float) and math.isfinite(size) else 0.0
 
 
-def _read(given: dict[str, Any], table: Table) -> Body | None:
+def _read(body: dict[str, Any], table: Table) -> Body | None:
     """Return the body of a table; None where it has mistakes."""
     try:
-        return read_input(Body, given, read_context({}, None), likely=table.likely)
+        return read_input(Body, body, read_context({}, None), likely=table.likely)
     except InputError:
         return None
 
 
-def _usual_depth(given: dict[str, Any], table: Table) -> str:
+def _usual_depth(document: dict[str, Any], table: Table) -> str:
     """Return the depth of a body that gives none; nothing where it has mistakes."""
-    body = _read({name: value for name, value in given.items() if name not in ("depth", "profile", "chamfer")}, table)
+    body = _read(
+        {name: value for name, value in document.items() if name not in ("depth", "profile", "chamfer")}, table
+    )
     return body.behind.word if body else ""
 
 
-def _sizes(given: dict[str, Any], table: Table) -> dict[str, float]:
+def _sizes(document: dict[str, Any], table: Table) -> dict[str, float]:
     """Return drop and parameters of a body's profile, where it has a single one that is neither moved nor stretched."""
-    tables = profile_tables(given) if isinstance(given.get("profile"), list | dict) else []
-    if len(tables) != 1 or not isinstance(tables[0], dict) or {"at", "shift", "scale", "flip"} & set(tables[0]):
+    body = _read(document, table) if _has_plain_profile(document) else None
+    if body is None or body.profile.catalogue_entry is None:
         return {}
-    body = _read(given, table)
-    end = body.land[1] - body.position if body else math.inf
-    if body is None or body.profile.catalogue_entry is None or not math.isfinite(end):
+    end = body.land[1] - body.position
+    if not math.isfinite(end):
         return {}
     drop = float(body.profile.relief(end) - body.profile.relief(0.0))
     parameters = body.profile.catalogue_entry[1]
@@ -229,13 +230,21 @@ def _sizes(given: dict[str, Any], table: Table) -> dict[str, float]:
     return {name: float(f"{value:.4g}") for name, value in values.items() if math.isfinite(value) and value}
 
 
-def _can_be_moved(given: dict[str, Any], table: Table) -> bool:
+def _has_plain_profile(document: dict[str, Any]) -> bool:
+    """Return whether a body has a single profile, which is neither moved nor stretched."""
+    tables = profile_tables(document) if isinstance(document.get("profile"), list | dict) else []
+    return len(tables) == 1 and isinstance(tables[0], dict) and not {"at", "shift", "scale", "flip"} & set(tables[0])
+
+
+def _can_be_moved(document: dict[str, Any], table: Table) -> bool:
     """Return whether the profiles of a body leave room to be moved: beside corners, a bounded one leaves none."""
-    if not {"corner_radius", "chamfer"} & set(given) or not isinstance(given.get("profile"), list | dict):
+    if not {"corner_radius", "chamfer"} & set(document) or not isinstance(document.get("profile"), list | dict):
         return True
-    shift = _NOTICEABLE * size_of("length", given.get("length"))
-    moved = [each | {"shift": shift} if isinstance(each, dict) else each for each in profile_tables(given)]
-    return _read(given | {"profile": moved}, table) is not None
+    shift = _NOTICEABLE * size_of("length", document.get("length"))
+    moved = [
+        profile | {"shift": shift} if isinstance(profile, dict) else profile for profile in profile_tables(document)
+    ]
+    return _read(document | {"profile": moved}, table) is not None
 
 
 def _of_contact(contact: Contact) -> dict[str, Range]:
@@ -243,12 +252,12 @@ def _of_contact(contact: Contact) -> dict[str, Range]:
     most, length = _most_load(contact), contact.interval[1] - contact.interval[0]
     if not 0.0 < most < math.inf:
         return {}
-    found = {"load": _upwards(most, _USUAL)}
+    ranges = {"load": _upwards(most, _USUAL)}
     if not math.isfinite(length):
-        return found
+        return ranges
     usual, deepest = (_compression(contact, share * most) for share in (_USUAL, 1.0))
     half = _stop(0.5 * length)
-    return found | {
+    return ranges | {
         "approach": _upwards(deepest, usual / deepest),
         "tilt": _around(2.0 * usual / length),
         "moment": _around(_USUAL * most * length / 6.0),  # at one end there is then no load
@@ -269,7 +278,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
     radial, axial = most * number * math.cos(inclined) / 5.0, most * number * math.sin(inclined)
     usual = _compression(row.contacts[0], _USUAL * most)
     moved, loose = _around(_LOOSE * pitch), Range(0.0, _stop(_LOOSE * pitch), "linear", 0.0)
-    found = {
+    ranges = {
         "radial": Range(0.0, _stop(radial), "linear", _stop(_USUAL * radial)),
         "axial": _around(axial if inclined else _AXIAL * radial),
         "moment": _around(0.25 * pitch * max(radial, axial)),
@@ -288,7 +297,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
     # A bearing has no sliders for what it does not bear, and none for diameters that have to fit each other.
     unborne = [name for name in ("radial", "axial", "moment") if not _bears(rows, name)]
     fitting = [] if row.inner.diameter is None else _FITTING
-    return found | dict.fromkeys((*unborne, *fitting))
+    return ranges | dict.fromkeys((*unborne, *fitting))
 
 
 def _of_seat(name: str, ring: Body, *shares: float) -> dict[str, Range]:

@@ -52,12 +52,12 @@ def _tables(table: Table, place: Schema, definitions: Schema, seen: set[str]) ->
     yield table, place
     for name, key in table.keys.items():
         inner = list(_objects(place["properties"][name]))
-        for each in key.tables:
-            if each.name and each.name not in seen:
-                seen.add(each.name)
-                yield from _tables(each, definitions[each.name], definitions, seen)
-            if not each.name:
-                yield from ((each, one) for one in inner if one.get("title") == each.word)
+        for kind in key.tables:
+            if kind.name and kind.name not in seen:
+                seen.add(kind.name)
+                yield from _tables(kind, definitions[kind.name], definitions, seen)
+            if not kind.name:
+                yield from ((kind, one) for one in inner if one.get("title") == kind.word)
 
 
 def _objects(place: Schema) -> Iterator[Schema]:
@@ -90,4 +90,4 @@ def _examples() -> dict[str, dict[str, Any]]:
     """Return by kind of bearing what makes any other bearing an example of it."""
     documents = [parse(starting_bearing(name), name) for name in BEARING_TEMPLATES]
     names = [name for name in BearingFile.descriptions if name not in _OF_ALL_BEARINGS]
-    return {each["bearing"]["kind"]: {name: each.get(name) for name in names} for each in documents}
+    return {document["bearing"]["kind"]: {name: document.get(name) for name in names} for document in documents}

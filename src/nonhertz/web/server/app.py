@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import mimetypes
 from collections.abc import AsyncIterator
+from itertools import chain
 from typing import Any, Final
 
 import anyio
@@ -86,14 +87,11 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
 
     app = Starlette(
         routes=[
-            *(
-                Route(address, page.page)
-                for address, page in zip(PAGES, (pages[first.name], *pages.values()), strict=True)
-            ),
+            *map(Route, PAGES, (page.page for page in (pages[first.name], *pages.values()))),
             Mount("/static", StaticFiles(packages=[("nonhertz.web", "static")])),
             Route("/open", opened, methods=["POST"]),
             Route("/upload", uploaded, methods=["POST"]),
-            *(route for page in pages.values() for route in page.routes()),
+            *chain.from_iterable(page.routes() for page in pages.values()),
         ],
         lifespan=lifespan,
         exception_handlers={HTTPException: _refused, EndedError: _ended, FailedError: _failed, Exception: _failed},

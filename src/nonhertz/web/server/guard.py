@@ -86,7 +86,7 @@ class Guard:
         if any(origin.lower() not in self.origins for origin in origins):
             return "The page answers no requests from other pages."
         # To follow a link to a page is as harmless as to type its address.
-        navigates = headers.get("sec-fetch-mode") == "navigate" and headers.get("sec-fetch-dest") == "document"
+        navigates = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == ("navigate", "document")
         opens = scope["method"] == "GET" and scope["path"] in PAGES and navigates
         if not opens and any(site not in _OWN_SITES for site in headers.getlist("sec-fetch-site")):
             return "The page answers no requests from other pages."

@@ -30,8 +30,8 @@ async def content(request: Request, kind: str, most: int) -> bytes:
     HTTPException
         If it is of another type, too long, takes too long to arrive, or ends early.
     """
-    given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
-    if given != kind:
+    media_type = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if media_type != kind:
         raise HTTPException(415, f"The content type must be {kind}.")
     read = bytearray()
     try:

@@ -73,19 +73,19 @@ class Page:
 
     def start(self, tasks: TaskGroup, *, at_once: bool) -> None:
         """Start the processes, at once or when the page is opened."""
-        for each in self.processes:
-            each.start(tasks, at_once=at_once and each.eager)
+        for process in self.processes:
+            process.start(tasks, at_once=at_once and process.eager)
 
     def end(self) -> None:
         """Kill all processes."""
-        for each in self.processes:
-            each.end()
+        for process in self.processes:
+            process.end()
 
     async def page(self, request: Request) -> Response:
         """Answer with the page."""
-        for each in self.processes:
-            if each.eager:
-                each.wake()
+        for process in self.processes:
+            if process.eager:
+                process.wake()
         limits = {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS}
         start = {"document": self.document, "text": self.text, "version": __version__, "limits": limits}
         form = {"schema": form_schema(self.kind.name), "units": units_of_fields(), "lists": ENDS}

@@ -32,25 +32,25 @@ class Wish(NamedTuple):
 
 def _are_numbers(values: Any) -> bool:
     some = isinstance(values, list) and 1 <= len(values) <= CURVE_POINTS
-    return some and all(type(each) in {int, float} and is_number(each) for each in values)
+    return some and all(type(value) in {int, float} and is_number(value) for value in values)
 
 
 #: By its key in a request.
 WISHES: Final[Mapping[str, Wish]] = {
     "document": Wish(
-        lambda given: isinstance(given, dict), "The request must have a document, structured like a case file."
+        lambda value: isinstance(value, dict), "The request must have a document, structured like a case file."
     ),
     # The text of the file that the document was read from, if there is one.
-    "text": Wish(lambda given: isinstance(given, str), "The text must be that of a file.", ""),
-    "stress": Wish(lambda given: isinstance(given, bool), "stress must be true or false.", False),
-    "body": Wish(lambda given: given in BODIES, "body must be 'a' or 'b'.", "a"),
-    "path": Wish(lambda given: isinstance(given, str), "path must be text."),
+    "text": Wish(lambda value: isinstance(value, str), "The text must be that of a file.", ""),
+    "stress": Wish(lambda value: isinstance(value, bool), "stress must be true or false.", False),
+    "body": Wish(lambda value: value in BODIES, "body must be 'a' or 'b'.", "a"),
+    "path": Wish(lambda value: isinstance(value, str), "path must be text."),
     "values": Wish(_are_numbers, f"values must be a list of 1 to {CURVE_POINTS} finite numbers."),
     "method": Wish(
-        lambda given: given in (None, "slices", "strips"), "method must be 'slices' or 'strips', or be left out."
+        lambda value: value in (None, "slices", "strips"), "method must be 'slices' or 'strips', or be left out."
     ),
-    "roller": Wish(lambda given: given is None or type(given) is int, "roller must be a whole number, or be left out."),
-    "ring": Wish(lambda given: given in RINGS, "ring must be 'inner' or 'outer'."),
+    "roller": Wish(lambda value: value is None or type(value) is int, "roller must be a whole number, or be left out."),
+    "ring": Wish(lambda value: value in RINGS, "ring must be 'inner' or 'outer'."),
 }
 
 
@@ -78,7 +78,7 @@ class Question:
     command: str = "solve"
     at_once: str = ""
 
-    def read(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+    def read(self, request: dict[str, Any]) -> tuple[Any, ...]:
         """Return the document and the wishes of a request.
 
         Raises
@@ -86,11 +86,11 @@ class Question:
         HTTPException
             If it has none, or others.
         """
-        found = {name: asked.get(name, WISHES[name].usual) for name in ("document", *self.wishes)}
-        for name, value in found.items():
+        wishes = {name: request.get(name, WISHES[name].usual) for name in ("document", *self.wishes)}
+        for name, value in wishes.items():
             if not WISHES[name].fits(value):
                 raise HTTPException(400, WISHES[name].sentence)
-        return tuple(found.values())
+        return tuple(wishes.values())
 
 
 @dataclass(frozen=True)

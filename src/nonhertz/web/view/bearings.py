@@ -67,7 +67,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "most": most_loaded(solution),
         "loads": roller_loads(solution).to_json(),
         "maps": _maps(solution),
-        "films": {} if films is None else {name: each.to_json() for name, each in film_figures(films).items()},
+        "films": {} if films is None else {name: figure.to_json() for name, figure in film_figures(films).items()},
         "verdict": verdict_seen(case.verdict(solution, life)),
         "summary": rows_of_summaries(shown),
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},

@@ -10,7 +10,7 @@ from nonhertz.errors import CaseError
 from nonhertz.files.casefile import Case
 from nonhertz.files.paths import find_parameter, list_parameters
 from nonhertz.files.results import plain
-from nonhertz.show.solving import attempted
+from nonhertz.show.solving import try_solve
 from nonhertz.study.quantities import SolvedContact, choose_quantities, number_of
 from nonhertz.web.limits import CURVE_SECONDS
 from nonhertz.web.view.jobs import sound
@@ -45,19 +45,19 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
     for value in values:
         try:
             case = sound(varied.put(document, value), Case)
-            solution, complaint = attempted(case)
+            solution, complaint = try_solve(case)
         except CaseError as error:
             complaint = error.mistakes[0]
         if complaint:
             points.append({"value": value, "sentence": complaint})
         else:
             solved = SolvedContact(case, solution)
-            numbers = [factor * number_of(each, solved) for each, (factor, _) in zip(quantities, scales, strict=True)]
+            numbers = [factor * number_of(one, solved) for one, (factor, _) in zip(quantities, scales, strict=True)]
             points.append({"value": value, "numbers": plain(numbers)})
         if time.perf_counter() - begun > CURVE_SECONDS:
             break
     named = [
-        {"name": each.name, "label": each.label, "unit": unit, "factor": factor}
-        for each, (factor, unit) in zip(quantities, scales, strict=True)
+        {"name": quantity.name, "label": quantity.label, "unit": unit, "factor": factor}
+        for quantity, (factor, unit) in zip(quantities, scales, strict=True)
     ]
     return {"ok": True, "quantities": named, "points": points}

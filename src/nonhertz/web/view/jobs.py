@@ -21,7 +21,7 @@ from nonhertz.files.document import CaseBase
 from nonhertz.files.resultfile import Result
 from nonhertz.files.toml import parse
 from nonhertz.model.body import BodyName
-from nonhertz.show.solving import attempted
+from nonhertz.show.solving import try_solve
 from nonhertz.web.limits import is_number, refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable
 from nonhertz.web.view.bearings import bearing_answer, nothing_drawn, roller_answer
@@ -61,19 +61,19 @@ def solve(document: dict[str, Any], stress: bool, body: BodyName) -> dict[str, A
     """Answer with what the page shows of a case, with the stress below the surface of a body where it is asked for."""
     try:
         case = sound(document, Case)
-        solution, complaint = attempted(case)
+        solution, complaint = try_solve(case)
     except CaseError as error:
         return misfit(error) | {"profiles": {} if unfit(document) else drawable(document.get("body"))}
-    found = answer(case, solution, complaint)
-    return found | (stress_answer(solution, body) if stress and not complaint and solution.contact_y else {})
+    contents = answer(case, solution, complaint)
+    return contents | (stress_answer(solution, body) if stress and not complaint and solution.contact_y else {})
 
 
 @job
 def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
     """Answer with whether a body of a case bears it."""
-    solution, complaint = attempted(sound(document, Case))
-    found = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
-    return {"ok": True} | found
+    solution, complaint = try_solve(sound(document, Case))
+    contents = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
+    return {"ok": True} | contents
 
 
 @job
@@ -179,8 +179,8 @@ def file(document: dict[str, Any], text: str) -> bytes:
 def written(document: dict[str, Any], kind: type[Case | BearingCase], name: str) -> bytes:
     """Return one of the files that commands write."""
     case = sound(document, kind)
-    found = Result(*_loaded(case)) if isinstance(case, BearingCase) else Result(case, attempted(case)[0])
-    return found.texts()[name].encode()
+    result = Result(*_loaded(case)) if isinstance(case, BearingCase) else Result(case, try_solve(case)[0])
+    return result.texts()[name].encode()
 
 
 @job

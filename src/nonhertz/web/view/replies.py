@@ -77,14 +77,14 @@ def refusal(status: int, sentence: str) -> Response:
     return reply(broken([("", sentence)]), status, headers)
 
 
-def verdict_seen(found: Verdict | None) -> dict[str, str] | None:
+def verdict_seen(verdict: Verdict | None) -> dict[str, str] | None:
     """Return what a page shows of a verdict; None if there is none."""
-    if found is None:
+    if verdict is None:
         return None
     return {
-        "level": found.level.name.lower(),
-        "words": found.words,
-        "sentence": found.sentence,
+        "level": verdict.level.name.lower(),
+        "words": verdict.words,
+        "sentence": verdict.sentence,
     }
 
 

@@ -78,16 +78,16 @@ def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
         Which body.
     """
     try:
-        found = assess(solution, body=body)
-        worst = found.largest.von_mises
+        strength = assess(solution, body=body)
+        worst = strength.largest.von_mises
         planes = _planes(solution, _axial(solution, body), _section(solution, worst.y, body)[0], worst)
     except (InputError, ArithmeticError):
         return {"checks": []}
     if not np.isfinite(worst.max):
         return {"checks": []}
-    checks = [{"verdict": each.verdict, "sentence": each.sentence} for each in found.checks]
+    checks = [{"verdict": check.verdict, "sentence": check.sentence} for check in strength.checks]
     shown = number_seen(stress_number(body, worst, searched=True))
-    verdict = verdict_seen(judge_contact(solution, (found,)))
+    verdict = verdict_seen(judge_contact(solution, (strength,)))
     return {"checks": checks, "stress": shown, "planes": planes, "verdict": verdict}
 
 
