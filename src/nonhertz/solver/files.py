@@ -12,8 +12,9 @@ import json
 import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import replace
+from itertools import chain
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,46 +56,28 @@ def save(
     if _ELEMENTS.get(problem.model.element.name) != problem.model.element:
         remedy = "pickle them, or solve with nonhertz.SEMI_ELLIPTIC or nonhertz.PARABOLIC"
         raise InputError("element", problem.model.element.name, "be one of nonhertz for solutions to be saved", remedy)
-    sources: dict[int, Block] = {}  # the first block of each contact, one with strips if there is any
+    sources: dict[int, Block] = {}  # a block of each contact, one with strips if there is any
     for block in blocks:
-        if id(block.problem.contact) not in sources or (
-            block.results and not sources[id(block.problem.contact)].results
-        ):
+        if not sources.setdefault(id(block.problem.contact), block).results:
             sources[id(block.problem.contact)] = block
     order = {contact: number for number, contact in enumerate(sources)}
-    errors = [block.error for block in blocks if block.error is not None]
-    cases = [case for block in blocks for case in _SavedCase.of(block)]
-    levels = [level for case in cases for level in case.levels]
-    likenesses = [_Fingerprint.of(source.problem, _places(source)) for source in sources.values()]
+    cases = [case for block in blocks for case in _saved_cases(block, order[id(block.problem.contact)])]
+    rows, numbers, targets, levels, accuracies = zip(*cases, strict=True)
     fields = {
         "shape": np.array(shape),
         "axes": np.asarray(json.dumps({name: values.tolist() for name, values in axes.items()})),
         "element": np.asarray(problem.model.element.name),
         "prescribed": np.array(problem.by_force),
-        "accuracy": np.array(
-            [problem.accuracy or math.nan, float(problem.accuracy_given), problem.pressure_accuracy or math.nan]
-        ),
-        "blocks": np.array(
-            [
-                (order[id(of.problem.contact)], len(case.numbers), len(case.levels), of.error is not None)
-                for case in cases
-                for of in (case.block,)
-            ]
-        ),
-        "accuracies": np.array([case.accuracy for case in cases]),
-        "numbers": np.concatenate([case.numbers for case in cases]).astype(np.int64),
-        "targets": np.array([target for case in cases for target in case.targets]).reshape(-1, 2),
-        "problems": np.array([source.problem.target for source in sources.values()]),
-        "counts": np.array([level.r.size for level in levels], dtype=np.int64),
-        "errors": np.asarray(json.dumps([_describe_error(error) for error in errors])),
-        "contact_sizes": np.array([likeness.places.size for likeness in likenesses]),
-        "contact_places": np.concatenate([likeness.places for likeness in likenesses]),
-        "contact_surfaces": np.concatenate([likeness.surfaces for likeness in likenesses], axis=1),
-        "contact_numbers": np.array([likeness.numbers for likeness in likenesses]),
+        # None becomes NaN.
+        "accuracy": np.array([problem.accuracy, problem.accuracy_given, problem.pressure_accuracy], dtype=float),
+        "blocks": np.array(rows),
+        "accuracies": np.array(accuracies),
+        "numbers": np.concatenate(numbers).astype(np.int64),
+        "targets": np.array([*chain.from_iterable(targets)]).reshape(-1, 2),
+        "errors": np.asarray(json.dumps([_describe_error(block.error) for block in blocks if block.error is not None])),
+        **_level_fields(list(chain.from_iterable(levels))),
+        **_contact_fields(list(sources.values())),
     }
-    for name in LevelState._fields:
-        values = [np.ravel(getattr(level, name)) for level in levels]
-        fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
     ARCHIVE.save(path, fields | {"digest": np.asarray(digest(fields))})
 
 
@@ -119,24 +102,25 @@ def read(
     return shape, tuple(_blocks(fields, sources, which)), axes
 
 
-@dataclass(frozen=True)
-class _SavedCase:
+class _SavedCase(NamedTuple):
     """A case with a state on each level, or cases without any that have the same error."""
 
-    block: Block
+    row: tuple[int, int, int, bool]  # number of the contact, of cases, of levels; whether they failed
     numbers: list[int]
     targets: list[Target]
     levels: list[LevelState]
     accuracy: float  # of the grids; zero where a coarser one has no solution
 
-    @classmethod
-    def of(cls, block: Block) -> Iterator[_SavedCase]:
-        """Yield the cases of a block."""
-        if not block.results:
-            yield cls(block, block.numbers, block.targets, [], 0.0)
-        for row, result in enumerate(block.results):
-            part = slice(row, row + 1)
-            yield cls(block, block.numbers[part], block.targets[part], states_of_levels(result), result.accuracy)
+
+def _saved_cases(block: Block, contact: int) -> Iterator[_SavedCase]:
+    """Yield the cases of a block."""
+    failed = block.error is not None
+    if not block.results:
+        yield _SavedCase((contact, len(block.numbers), 0, failed), block.numbers, block.targets, [], 0.0)
+        return
+    for number, target, result in zip(block.numbers, block.targets, block.results, strict=True):
+        levels = states_of_levels(result)
+        yield _SavedCase((contact, 1, len(levels), failed), [number], [target], levels, result.accuracy)
 
 
 def _blocks(fields: Entries, sources: list[Contact], which: NDArray[np.intp]) -> Iterator[Block]:
@@ -173,6 +157,14 @@ def _merge_blocks(blocks: list[Block]) -> Iterator[Block]:
         )  # fmt: skip
 
 
+def _level_fields(levels: list[LevelState]) -> dict[str, NDArray[Any]]:
+    fields: dict[str, NDArray[Any]] = {"counts": np.array([level.r.size for level in levels], dtype=np.int64)}
+    for name in LevelState._fields:
+        values = [np.ravel(getattr(level, name)) for level in levels]
+        fields[name] = np.concatenate([*values, np.zeros(0)]).astype(np.int64 if name in _COUNTED else np.float64)
+    return fields
+
+
 def _levels(fields: Entries) -> Iterator[LevelState]:
     """Yield the states of all levels."""
     ends = dict.fromkeys(LevelState._fields, 0)
@@ -192,8 +184,7 @@ def _levels(fields: Entries) -> Iterator[LevelState]:
 # Contacts
 
 
-@dataclass(frozen=True)
-class _Fingerprint:
+class _Fingerprint(NamedTuple):
     """What a contact is known again by.
 
     Attributes
@@ -236,6 +227,19 @@ class _Fingerprint:
             )
             for a, b in rows
         )
+
+
+def _contact_fields(sources: list[Block]) -> dict[str, NDArray[Any]]:
+    places, surfaces, numbers = zip(
+        *(_Fingerprint.of(source.problem, _places(source)) for source in sources), strict=True
+    )
+    return {
+        "problems": np.array([source.problem.target for source in sources]),
+        "contact_sizes": np.array([at.size for at in places]),
+        "contact_places": np.concatenate(places),
+        "contact_surfaces": np.concatenate(surfaces, axis=1),
+        "contact_numbers": np.array(numbers),
+    }
 
 
 def _surface(body: Body, places: Array) -> Iterator[Array]:

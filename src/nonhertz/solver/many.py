@@ -7,7 +7,9 @@ equations; on the automatic grid, to the last bit.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,7 +24,7 @@ from nonhertz.model.prescription import MOST_TILT, Prescription, refuse_unpaired
 from nonhertz.native import core
 from nonhertz.result.data import name_axes
 from nonhertz.solver.blocks import list_contacts
-from nonhertz.solver.one import Goal, Strips, element_of, is_automatic, problem_of, requested_strips, strips_of
+from nonhertz.solver.one import Goal, Strips, element_of, problem_of, requested_strips, strips_of
 from nonhertz.solver.portions import Chunk, Run, Task, Work
 from nonhertz.solver.solutions import Solutions, case_label
 from nonhertz.strip.element import SEMI_ELLIPTIC, Element
@@ -32,6 +34,7 @@ Array = NDArray[np.float64]
 # Cases per unit of work for a thread: on shared strips, and with a separate grid for each. Fixed, so that results do
 # not depend on the number of threads.
 CASES_AT_ONCE, CASES_APART = 64, 32
+# A motion and the force in its place, for each column of targets.
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
 
 
@@ -168,46 +171,46 @@ def _broadcast(
     contacts: int | None, prescriptions: dict[str, ArrayLike]
 ) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
     """Return the shape of the results, and for each case the index of its contact and what is prescribed."""
-    columns = [np.zeros((), dtype=int) if contacts is None else np.arange(contacts)]
-    for name, value in prescriptions.items():
-        try:
-            column = np.asarray(value)
-            if column.dtype.kind in "UO":
-                texts = np.asarray(value, dtype=object)
-                column = np.array([_parse_number(name, text) for text in texts.flat]).reshape(texts.shape)
-        except InputError:
-            raise
-        except (TypeError, ValueError):
-            column = np.asarray(None)
-        if column.dtype.kind not in "iuf" or np.ma.isMaskedArray(value):
-            if column.size:
-                remedy = "give plain numbers, or text with a unit"
-                raise InputError(name, value, "be a number or an array of numbers", remedy)
-            column = column.astype(float)
-        columns.append(column)
+    columns = {"contacts": np.zeros((), dtype=int) if contacts is None else np.arange(contacts)}
+    columns |= {name: _parse_column(name, value) for name, value in prescriptions.items()}
     try:
-        spread = np.broadcast_arrays(*columns)
+        which, *values = np.broadcast_arrays(*columns.values())
     except ValueError:
-        shapes = ", ".join(
-            f"{name}: {column.shape}" for name, column in zip(("contacts", *prescriptions), columns, strict=True)
-        )
+        shapes = ", ".join(f"{name}: {column.shape}" for name, column in columns.items())
         raise InputError("shapes", shapes, "broadcast together", "give numbers, or arrays of matching shapes") from None
-    if spread[0].size == 0:
-        empty = next(
-            name for name, column in zip(("contacts", *prescriptions), columns, strict=True) if column.size == 0
-        )
+    empty = next((name for name, column in columns.items() if not column.size), None)
+    if empty is not None:
         raise InputError(empty, [], "hold at least one case", "skip the call if there is none")
-    which, *values = (column.ravel() for column in spread)
-    return (
-        spread[0].shape or (1,),
-        which,
-        {name: value.astype(float) for name, value in zip(prescriptions, values, strict=True)},
-    )
+    prescribed = zip(prescriptions, values, strict=True)
+    return which.shape or (1,), which.ravel(), {name: value.ravel().astype(float) for name, value in prescribed}
 
 
-def _parse_number(name: str, value: Any) -> Any:
-    """Return text with a unit as a number in that of what is prescribed; anything else as it is."""
-    return Prescription.descriptions[name].validate(name, value) if isinstance(value, str) else value
+def _parse_column(name: str, value: ArrayLike) -> NDArray[Any]:
+    """Return a prescribed quantity as an array of numbers; text is read with its unit."""
+    try:
+        column = np.asarray(value)
+        if column.dtype.kind in "UO":
+            validate, texts = Prescription.descriptions[name].validate, np.asarray(value, dtype=object)
+            numbers = [validate(name, text) if isinstance(text, str) else text for text in texts.flat]
+            column = np.array(numbers).reshape(texts.shape)
+    except InputError:
+        raise
+    except (TypeError, ValueError):
+        column = np.asarray(None)
+    if column.dtype.kind in "iuf" and not np.ma.isMaskedArray(value):
+        return column
+    if column.size:
+        raise InputError(name, value, "be a number or an array of numbers", "give plain numbers, or text with a unit")
+    return column.astype(float)
+
+
+@contextmanager
+def _naming_case(number: int, shape: tuple[int, ...]) -> Iterator[None]:
+    """Say in which of several cases an input is invalid."""
+    try:
+        yield
+    except InputError as error:
+        raise (error.within(f"case {case_label(number, shape)}") if math.prod(shape) > 1 else error) from None
 
 
 def _make_tasks(
@@ -225,38 +228,28 @@ def _make_tasks(
     def case(number: int) -> Prescription:
         return Prescription(**{name: float(values[number]) for name, values in prescribed.items()})
 
-    def refused(error: InputError, number: int) -> InputError:
-        return error.within(f"case {case_label(number, shape)}") if which.size > 1 else error
-
-    number = 0
-    try:
-        for number in _suspects(prescribed):
+    for number in _suspects(prescribed):
+        with _naming_case(number, shape):
             case(number)
-    except InputError as error:
-        raise refused(error, number) from None
     tasks = []
     for numbers in by_contact.values():
         contact = contacts[which[numbers[0]]]
         requested_strips(contact, options.strips)
-        try:
-            number = numbers[0]
+        with _naming_case(numbers[0], shape):
             aim = options.accuracy, options.accuracy_of
-            problem = problem_of(contact, case(number), options.element, options.strips, *aim)
-            # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
-            loads = prescribed["load"][numbers] if "load" in prescribed else np.zeros(1)
-            outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
-            for number in numbers if "moment" in prescribed else outermost:
+            problem = problem_of(contact, case(numbers[0]), options.element, options.strips, *aim)
+        # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
+        loads = prescribed.get("load", np.zeros(which.size))[numbers]
+        outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
+        for number in numbers if "moment" in prescribed else outermost:
+            with _naming_case(number, shape):
                 case(number).refuse_outside(contact)
-        except InputError as error:
-            raise refused(error, number) from None
         targets = np.zeros((len(numbers), 2))
-        for column, force, motion in ((0, "load", "approach"), (1, "moment", "tilt")):
-            if force in prescribed:
-                targets[:, column] = contact.compliance * prescribed[force][numbers]
-            elif motion in prescribed:
-                targets[:, column] = prescribed[motion][numbers]
+        for name, values in prescribed.items():
+            column, is_force = divmod(_PRESCRIBED.index(name), 2)
+            targets[:, column] = (contact.compliance if is_force else 1.0) * values[numbers]
         strips = strips_of(problem, options.strips)
-        at_once = CASES_APART if is_automatic(options.strips) else CASES_AT_ONCE
+        at_once = _portion_size(strips)
         for first in range(0, len(numbers), at_once):
             portion = slice(first, first + at_once)
             tasks.append(Task(problem, numbers[portion], list(map(tuple, targets[portion].tolist())), strips))
@@ -273,14 +266,16 @@ def _suspects(prescribed: dict[str, Array]) -> list[int]:
     return np.flatnonzero(suspects).tolist()
 
 
+def _portion_size(strips: core.Accuracy | int | Array) -> int:
+    return CASES_APART if isinstance(strips, core.Accuracy) else CASES_AT_ONCE
+
+
 def _group_tasks(tasks: list[Task]) -> Iterator[Work]:
     """Yield tasks grouped into portions large enough for one unit of work of a thread."""
     portion: list[Task] = []
     for task in tasks:
         portion.append(task)
-        if sum(len(queued.numbers) for queued in portion) >= (
-            CASES_APART if isinstance(task.strips, core.Accuracy) else CASES_AT_ONCE
-        ):
+        if sum(len(queued.numbers) for queued in portion) >= _portion_size(task.strips):
             yield Work(tuple(portion))
             portion = []
     if portion:

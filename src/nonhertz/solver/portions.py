@@ -92,10 +92,9 @@ class Task:
             return self.without((), error.with_traceback(None))
         failed: list[Block] = []
         solved: dict[int, core.Result] = {}
-        is_looked_at = has_series(problem)
         for row, ending in enumerate(ended):
+            reason = self._failure(row, ending)
             result = ending if isinstance(ending, core.Result) else None
-            reason = self._failure(row, ending) if result is None or not result.holds or is_looked_at else None
             if reason is not None:
                 reached = [result] if result is not None and isinstance(reason, ConvergenceError) else []
                 failed.append(self._block([row], reached, reason))
@@ -105,6 +104,8 @@ class Task:
 
     def _failure(self, row: int, ended: core.Result | Exception) -> Exception | None:
         """Return why a case has no solution, if it has none."""
+        if isinstance(ended, core.Result) and ended.holds and not has_series(self.problem):
+            return None
         problem = self.problem.of(self.targets[row])
         if isinstance(ended, core.Refused):
             return refusal(problem, ended)
