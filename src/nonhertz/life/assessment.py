@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import NamedTuple, Unpack
 
 import numpy as np
@@ -201,16 +202,10 @@ def assess(
     spectrum = _spectrum(solution)
     ring, why = raceway(spectrum[0][0].contact, contact_angle=contact_angle)
     bearing = _Bearing(ring, why, _checked_rollers(rollers, ring), body)
-    seen: list[Exposure] = []
+    exposures: list[Exposure] = []
     if any(isinstance(member, VolumeModel) for member in chosen):
-        seen = [exposure(solution, body=body, **options) for solution, _ in spectrum]
-    shares = np.array([share for _, share in spectrum])
-    return tuple(
-        _assess_volume(member, spectrum, seen, shares, bearing)
-        if isinstance(member, VolumeModel)
-        else _assess_laminae(member, spectrum, shares, bearing)
-        for member in chosen
-    )
+        exposures = [exposure(solution, body=body, **options) for solution, _ in spectrum]
+    return tuple(_assess_model(member, spectrum, exposures, bearing) for member in chosen)
 
 
 class _Bearing(NamedTuple):
@@ -250,94 +245,87 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
     return check_shares(solution, check_solution, "contact", condition, f"{remedy} of the revolutions")
 
 
-def _assess_volume(
-    chosen: VolumeModel, spectrum: Spectrum, seen: list[Exposure], shares: Array, bearing: _Bearing
-) -> Life:
-    ring, why, rollers, body = bearing
-    damages = np.array([exposed.damage(chosen) for exposed in seen])
-    ideal = [exposed.reference for exposed in seen]
-    references = np.array([math.nan if exposed is None else exposed.damage(chosen) for exposed in ideal])
-    damage, reference = (_combine_damage(values, shares, chosen.slope) for values in (damages, references))
-    y, density = _density(
-        [exposed.y for exposed in seen], [exposed.density(chosen) for exposed in seen], damages, shares, chosen
-    )
-    length = float(np.ptp(spectrum[0][0].contact.land))
-    sharp = {end for exposed in seen for end in exposed.sharp}
-    absolute, unrated = (
-        None,
-        Finding.from_text(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ()),
-    )
-    if unrated is None and ring is not None and rollers is not None:
-        # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
-        of_loads = [
-            (ring.capacity(rollers) / solution.load) ** 4 * ratio(*pair, chosen.slope)
-            for (solution, _), pair in zip(spectrum, zip(references, damages, strict=True), strict=True)
-        ]
-        absolute = miner(of_loads, shares.tolist())
-    below = dict.fromkeys(finding for solution, _ in spectrum for finding in Inside.of(solution, body).findings)
-    findings = (*_findings(spectrum, sharp), *below)
-    return Life(
-        chosen, body, damage, reference, absolute, unrated, ring, y, _over(density, reference / length), findings
-    )
+class _Damage(NamedTuple):
+    """What one load does: damage, that under the ideal pressure, damage per length along y, and what limits it."""
+
+    total: float
+    ideal: float
+    y: Array
+    density: Array
+    singular_ends: tuple[SingularEnd, ...]
+    findings: tuple[Finding, ...] = ()
 
 
-def _assess_laminae(chosen: LaminaModel, spectrum: Spectrum, shares: Array, bearing: _Bearing) -> Life:
-    ring, why, rollers, body = bearing
-    cut = [laminae_of(solution, chosen) for solution, _ in spectrum]
-    edges = cut[0].edges
+def _damage_in_volume(chosen: VolumeModel, solution: Solved, exposed: Exposure) -> _Damage:
+    ideal = math.nan if exposed.reference is None else exposed.reference.damage(chosen)
+    ends, findings = solution.singular_ends, Inside.of(solution, exposed.body).findings
+    return _Damage(exposed.damage(chosen), ideal, exposed.y, exposed.density(chosen), ends, findings)
+
+
+def _damage_of_laminae(chosen: LaminaModel, solution: Solved, ring: Raceway | None) -> _Damage:
+    laminae = laminae_of(solution, chosen)
+    edges = laminae.edges
     # Without a ring the capacity depends on the length alone.
     capacity = ring.capacity(1) if ring is not None else float(edges[-1] - edges[0]) ** (7.0 / 9.0)
-    of_laminae = [laminae.damage(capacity) for laminae in cut]
-    damages = np.array([damage_of_each.sum() for damage_of_each in of_laminae])
-    references = np.array([(solution.load / capacity) ** EXPONENT for solution, _ in spectrum])
-    damage, reference = (_combine_damage(values, shares, chosen.slope) for values in (damages, references))
-    y = 0.5 * (edges[1:] + edges[:-1])
-    _, density = _density([y] * len(cut), of_laminae, damages, shares, chosen)
-    sharp = {end for laminae in cut for end in laminae.sharp}
-    absolute, unrated = (
-        None,
-        Finding.from_text(why) if why else _why_unrated(chosen, ring, body, rollers, spectrum if sharp else ()),
-    )
-    if unrated is None and rollers is not None:
+    damages = laminae.damage(capacity)
+    ideal = (solution.load / capacity) ** EXPONENT
+    ends = solution.singular_ends if laminae.sharp else ()
+    return _Damage(float(damages.sum()), ideal, 0.5 * (edges[1:] + edges[:-1]), damages, ends)
+
+
+def _million_revolutions(
+    chosen: Model, damage: float, spectrum: Spectrum, damages: list[_Damage], ring: Raceway, rollers: int
+) -> float:
+    if isinstance(chosen, LaminaModel):
         # Each roller passes once per revolution: the capacity falls as Z^(-1/4), and the life as 1 / Z.
-        absolute = damage ** (-1.0 / chosen.slope) / rollers
-    findings = _findings(spectrum, sharp)
-    return Life(
-        chosen,
-        body,
-        damage,
-        reference,
-        absolute,
-        unrated,
-        ring,
-        y,
-        _over(density, reference / chosen.laminae),
-        findings,
-    )
+        return float(damage ** (-1.0 / chosen.slope) / rollers)
+    # For each load by itself: (Q_c / Q)^4 for the ideal pressure, times the relative life.
+    of_loads = [
+        (ring.capacity(rollers) / solution.load) ** 4 * ratio(of_load.ideal, of_load.total, chosen.slope)
+        for (solution, _), of_load in zip(spectrum, damages, strict=True)
+    ]
+    return miner(of_loads, [share for _, share in spectrum])
 
 
-def _findings(spectrum: Spectrum, sharp: set[float]) -> tuple[Finding, ...]:
-    """Return what strains the solutions, without repeats, and what singular ends do to the damage."""
-    of_solutions = tuple(dict.fromkeys(finding for solution, _ in spectrum for finding in solution.findings))
-    return (*of_solutions, *_towards_ends(spectrum)) if sharp else of_solutions
+def _assess_model(chosen: Model, spectrum: Spectrum, exposures: list[Exposure], bearing: _Bearing) -> Life:
+    solutions, weights = zip(*spectrum, strict=True)
+    ring, rollers = bearing.ring, bearing.rollers
+    if isinstance(chosen, VolumeModel):
+        mean_length = float(np.ptp(solutions[0].contact.land))
+        damages = [_damage_in_volume(chosen, *pair) for pair in zip(solutions, exposures, strict=True)]
+    else:
+        mean_length = chosen.laminae
+        damages = [_damage_of_laminae(chosen, solution, ring) for solution in solutions]
+    totals, ideals, y, densities, ends_of, findings_of = zip(*damages, strict=True)
+    ends, shares = set(chain.from_iterable(ends_of)), np.array(weights)
+    damage, reference = (_combine_damage(np.array(values), shares, chosen.slope) for values in (totals, ideals))
+    stations, density = _density(y, densities, np.array(totals), shares, chosen)
+    unrated, absolute = _why_unrated(chosen, bearing, ends), None
+    if unrated is None and ring is not None and rollers is not None:
+        absolute = _million_revolutions(chosen, damage, spectrum, damages, ring, rollers)
+    strains = dict.fromkeys(chain.from_iterable(solution.findings for solution in solutions))
+    findings = (*strains, *_towards_ends(solutions, ends), *dict.fromkeys(chain.from_iterable(findings_of)))
+    over = _over(density, reference / mean_length)
+    return Life(chosen, bearing.body, damage, reference, absolute, unrated, ring, stations, over, findings)
 
 
-def _towards_ends(spectrum: Spectrum) -> Iterator[Finding]:
-    sharp = [(solution, solution.singular_ends) for solution, _ in spectrum]
-    named = {end for _, ends in sharp for end in ends}
-    nearer = f"nearer to {'them' if len(named) > 1 else 'it'}"
+def _towards_ends(solutions: Sequence[Solved], ends: set[SingularEnd]) -> Iterator[Finding]:
+    """Yield what singular ends do to the damage, if there are any."""
+    if not ends:
+        return
+    nearer = f"nearer to {'them' if len(ends) > 1 else 'it'}"
     yield finding(
         "damage-at-ends",
         f"The damage grows without limit towards {{ends}}: {nearer} than {{left_out:g}} of the largest half-width "
         "nothing was counted, so the life is an upper bound, even above 1.",
-        ends=ends_in_words(named),
+        ends=ends_in_words(ends),
         left_out=LEFT_OUT,
     )
-    if any(_is_coarse(solution, end) for solution, ends in sharp for end in ends):
-        what = "a corner" if all(end.kind is EdgeKind.CORNER for end in named) else "a sharp end"
+    if any(_is_coarse(solution, end) for solution in solutions for end in solution.singular_ends):
+        what = "a corner" if all(end.kind is EdgeKind.CORNER for end in ends) else "a sharp end"
         words = f"The strips or cells at {what} are longer than what was left out: use finer ones."
         yield finding("coarse-at-ends", words)
-    if any(np.ptp(outermost(solution)) < SHORT * solution.max_half_width for solution, _ in spectrum):
+    if any(np.ptp(outermost(solution)) < SHORT * solution.max_half_width for solution in solutions):
         words = (
             "The contact is shorter than {shortest:g} half-widths between its ends: hardly anything is left to count."
         )
@@ -355,20 +343,21 @@ def _over(density: Array, mean: float) -> Array:
         return density / mean
 
 
-def _why_unrated(
-    chosen: Model, ring: Raceway | None, body: BodyName, rollers: int | None, sharp: Spectrum
-) -> Finding | None:
-    """Return why a model gives no life in revolutions for a body, under loads that may reach sharp ends."""
+def _why_unrated(chosen: Model, bearing: _Bearing, ends: set[SingularEnd]) -> Finding | None:
+    """Return why a model gives no life in revolutions for a body, under loads that may reach singular ends."""
+    ring, why, rollers, body = bearing
+    if why:
+        return Finding.from_text(why)
     if chosen.name not in RATED:
         return Finding.from_text(f"{chosen.name} has no capacity of its own")
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
         return Finding.from_text("the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents")
     if ring is not None and ring.body != body:
         return Finding.from_text(f"the capacity is that of the ring, body {ring.body}")
-    ends = {end for solution, _ in sharp for end in solution.singular_ends}
-    if rollers is not None and ends:
-        return finding("damage-at-ends", "the damage grows without limit towards {ends}", ends=ends_in_words(ends))
-    return None if rollers is not None else Finding.from_text(_NO_ROLLERS)
+    if rollers is None:
+        return Finding.from_text(_NO_ROLLERS)
+    words = "the damage grows without limit towards {ends}"
+    return finding("damage-at-ends", words, ends=ends_in_words(ends)) if ends else None
 
 
 def _combine_damage(damages: Array, shares: Array, slope: float) -> float:
@@ -377,7 +366,7 @@ def _combine_damage(damages: Array, shares: Array, slope: float) -> float:
 
 
 def _density(
-    y: list[Array], densities: list[Array], damages: Array, shares: Array, model: Model
+    y: Sequence[Array], densities: Sequence[Array], damages: Array, shares: Array, model: Model
 ) -> tuple[Array, Array]:
     """Return the union of all stations, and the damage per length there whose integral is the spectrum's damage."""
     slope = model.slope

@@ -44,6 +44,7 @@ REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; no
 _OF_THRUST, THRUST_REDUCTION, _INCLINED = 472.45388, 0.73, 0.85  # N, lambda, eta
 SAME = 1e-9
 ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
+_NO_ROLLER = "neither of the bodies is a roller that ends"
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
@@ -216,7 +217,7 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
         raise InputError("contact", contact, "be a Contact", "make one of two bodies with nonhertz.Contact")
     if contact_angle is not None:
         not_negative("contact_angle", contact_angle, ANGLE_REMEDY)
-    bodies: dict[BodyName, Body] = {"a": contact.a, "b": contact.b}
+    bodies = contact.bodies
     why = _why_unrated(contact, tapered=contact_angle is not None)
     if why:
         return None, why
@@ -224,8 +225,6 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
     diameters = {name: _diameter(body, middle) for name, body in bodies.items()}
     rings: list[BodyName] = [name for name, body in bodies.items() if isinstance(body, Ring)]
     others: list[BodyName] = [name for name, body in bodies.items() if not isinstance(body, Roller)]
-    if not others:
-        return None, "neither of the bodies is a ring; give one of them kind = 'ring'"
     name = rings[0] if len(rings) == 1 else max(others, key=lambda ring: (diameters[ring] < 0.0, abs(diameters[ring])))
     roller = bodies["b" if name == "a" else "a"]
     return _raceway(name, diameters[name], roller, contact.land, contact_angle or 0.0)
@@ -237,20 +236,24 @@ def of_rolling_bearing(contact: Contact) -> bool:
     Of a wheel on a rail or of gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile means
     anything.
     """
-    return all(isinstance(body, Roller | Ring | Plate) and is_steel(body.material) for body in (contact.a, contact.b))
+    return all(isinstance(body, Roller | Ring | Plate) and is_steel(body.material) for body in contact.bodies.values())
 
 
 def _why_unrated(contact: Contact, tapered: bool) -> str:
-    bodies = contact.a, contact.b
-    if any(body.diameter is None for body in bodies):
-        return "L10 is known only for a roller on a ring"
-    if not tapered and any(callable(body.diameter) for body in bodies):
-        return "a tapered roller has an L10 only with the contact angle of its bearing: give contact_angle"
-    if not all(is_steel(body.material) for body in bodies):
-        return "the capacity of ISO 281 is that of bearing steel"
-    if any(is_hollow(body) for body in bodies):
-        return "the capacity of ISO 281 is that of solid rollers"
-    return "" if np.all(np.isfinite(contact.interval)) else "neither of the bodies is a roller that ends"
+    bodies = contact.bodies.values()
+    reasons = {
+        "L10 is known only for a roller on a ring": any(body.diameter is None for body in bodies),
+        "a tapered roller has an L10 only with the contact angle of its bearing: give contact_angle": (
+            not tapered and any(callable(body.diameter) for body in bodies)
+        ),
+        "the capacity of ISO 281 is that of bearing steel": not all(is_steel(body.material) for body in bodies),
+        "the capacity of ISO 281 is that of solid rollers": any(is_hollow(body) for body in bodies),
+        _NO_ROLLER: not np.all(np.isfinite(contact.interval)),
+        "neither of the bodies is a ring; give one of them kind = 'ring'": all(
+            isinstance(body, Roller) for body in bodies
+        ),
+    }
+    return next((reason for reason, applies in reasons.items() if applies), "")
 
 
 def _raceway(
@@ -261,7 +264,7 @@ def _raceway(
     # Square to its generator a cone is wider than square to its axis.
     diameter = _diameter(roller, 0.5 * (low + high)) * math.cos(cone)
     if diameter <= 0.0:
-        return None, "neither of the bodies is a roller that ends"
+        return None, _NO_ROLLER
     inner = ring > 0.0
     across = abs(ring) + (diameter if inner else -diameter)
     pitch = across * math.cos(max(0.0, angle - 2.0 * cone) if inner else angle)

@@ -174,6 +174,13 @@ def outer(dent: Dent) -> float:
     return float(dent.shoulder_diameter or dent.diameter) if dent.shoulder > 0.0 else dent.diameter
 
 
+def _usual_cell(dent: Dent, half_width: float) -> float:
+    """Return the side of cells [mm] that shows the dent, its shoulder and the contact well enough."""
+    shoulder = 0.5 * (outer(dent) - dent.diameter)
+    sides = dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT, shoulder / ACROSS_SHOULDER
+    return min(sides if shoulder > 0.0 else sides[:2])
+
+
 def overrolled(
     solution: Solved,
     dent: Dent,
@@ -234,9 +241,7 @@ def overrolled(
     _refuse_place(solution, dent)
     check_callback(callback)
     least = min(dent.diameter, half_width)
-    usual = min(dent.diameter / ACROSS_DENT, half_width / ACROSS_CONTACT)
-    if dent.shoulder > 0.0:
-        usual = min(usual, 0.5 * (outer(dent) - dent.diameter) / ACROSS_SHOULDER)
+    usual = _usual_cell(dent, half_width)
     side = usual if cell is None else cell
     for name, value, most in (("reach", reach, 10.0), ("cell", side, 0.25 * least)):
         positive(name, value, f"give a number up to {most:.3g}, or leave it out")
@@ -254,7 +259,7 @@ def overrolled(
     around = _Surroundings.of(solution, dent, body, smooth, rim + reach * half_width)
     differences = {place: patch.pressure - smooth.pressure for place, patch in passed.items()}
     places, near = sorted(passed), np.abs(smooth.y - dent.y) <= rim + half_width
-    curvature = float((contact.a if body == "a" else contact.b).curvature(np.array([dent.y]))[0])
+    curvature = float(contact.bodies[body].curvature(np.array([dent.y]))[0])
     names = (*STRESSES, *(f"smooth_{name}" for name in STRESSES))
     return Overrolled(
         dent=dent,
@@ -338,7 +343,7 @@ class _Surroundings:
     @classmethod
     def of(cls, solution: Solved, dent: Dent, body: BodyName, cells: PatchSolution, reach: float) -> _Surroundings:
         half_width = solution.max_half_width
-        own = solution.contact.a if body == "a" else solution.contact.b
+        own = solution.contact.bodies[body]
         z = half_width * levels()[0]
         shallow = int(np.searchsorted(z, 0.5 * max(cells.dx, cells.dy)))
         columns = EVERY * np.arange(int(reach / (EVERY * cells.dx)) + 1)

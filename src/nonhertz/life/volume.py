@@ -296,7 +296,7 @@ def even_exposure(
         return None
     edges = np.linspace(low, high, 2 if _is_even(contact) else 65)
     y, width = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
-    poisson = (contact.a if body == "a" else contact.b).material.poisson
+    poisson = contact.bodies[body].material.poisson
     lines = [
         line_contact(line_load=load / (high - low), radius=1.0 / float(curvature), compliance=contact.compliance)
         for curvature in contact.curvature(y)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.descriptions import Part
 from nonhertz.inputs.fields import Input, cross_check, input_class
-from nonhertz.model.body import Body
+from nonhertz.model.body import Body, BodyName
 from nonhertz.model.profile.base import places
 
 Array = NDArray[np.float64]
@@ -57,6 +57,11 @@ class Contact(Input):
         if high - low < RESOLVED * max(abs(low), abs(high)):
             condition = f"let the bodies overlap by more than {RESOLVED:g} of their distance from y = 0"
             raise InputError("position", self.b.position, condition, "move both bodies towards y = 0")
+
+    @property
+    def bodies(self) -> dict[BodyName, Body]:
+        """Both bodies by name."""
+        return {"a": self.a, "b": self.b}
 
     @cached_property
     def interval(self) -> tuple[float, float]:

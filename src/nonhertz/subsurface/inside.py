@@ -103,7 +103,7 @@ class Inside:
             assert isinstance(solution, PatchSolution)
             load = Rectangles.of(solution.x, solution.y, solution.dx, solution.dy, solution.pressure)
         which = BODIES.index(name)
-        body = (solution.contact.a, solution.contact.b)[which]
+        body = solution.contact.bodies[name]
         low, high = (float(weight > 0.0) for weight in body.face_weights)
         terms = rows({DIRECT: 1.0, **chains(body, (low, high), 1.0)})
         freed = [weight > 0.0 and side.of_body for side, weight in zip(body.sides, body.face_weights, strict=True)]
