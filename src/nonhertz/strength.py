@@ -215,8 +215,9 @@ def assess(
     elif not isinstance(largest, Extremes) or largest.body != name:
         remedy = "leave it out, or give what nonhertz.subsurface.extremes returns for this body"
         raise InputError("largest", largest, f"be the largest stresses of body {name}", remedy)
-    body = solution.contact.a if name == "a" else solution.contact.b
-    case, core = largest, None
+    body = solution.contact.bodies[name]
+    inside = Inside.of(solution, name)
+    case, core, below_contact = largest, None, []
     if body.case_depth is not None:
         options.pop("callback", None)
         at = (largest.von_mises.z, largest.shear.z)
@@ -224,17 +225,14 @@ def assess(
         case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)
         below = (body.case_depth, math.inf)
         core = largest if min(at) >= body.case_depth else None
-        if core is None and body.case_depth < Inside.of(solution, name).extent.thickness(solution.y).max():
+        if core is None and body.case_depth < inside.extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
-    inside = Inside.of(solution, name)
-    question = _BodyCheck(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
-    below_contact = []
-    if body.case_depth is not None:
         # Not at a bore, which no case of the surface reaches.
         half = (0.0, 0.5 * float(inside.extent.thickness(solution.y).min()))
         below_contact.append(extremes(solution, depths=half, **options) if largest.shear.at_bore else largest)
         # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
         below_contact.append(extremes(solution, _widest(solution), depths=half, **options))
+    question = _BodyCheck(f"body {name}", body, criterion, _Limit.of(solution), bool(inside.findings))
     checks = (
         question.pressure(solution.max_pressure),
         question.yields(case),
@@ -277,7 +275,7 @@ def judge(
     deepest. Bodies with a bore, and contacts whose pressure does not run out at their ends, have stresses of another
     kind, which are searched.
     """
-    part = solution.contact.a if body == "a" else solution.contact.b
+    part = solution.contact.bodies[body]
     question = _BodyCheck(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
     pressure = () if part.material.pressure_limit is None else (question.pressure(solution.max_pressure),)
     if part.material.yield_strength is None and part.case_depth is None:
@@ -393,28 +391,9 @@ class _BodyCheck:
         """Yield what the largest pressure says of yielding and of a case: not known where only a search can tell."""
         material, depth = self.body.material, self.body.case_depth
         pressure, wide = solution.max_pressure, solution.max_half_width
-        point, line = onset_of_yield(material.poisson)
         usual = self.body.bore is None and all(end.kind is EdgeKind.RUN_OUT for end in solution.edge_pressure)
-        numbers = {"pressure": mpa(pressure)}
         if material.yield_strength is not None:
-            what = f"{'the case of ' * (depth is not None)}{self.name}"
-            low, high = point * material.yield_strength, line * material.yield_strength
-            if self.body.bore is None and not solution.peaks_at_corner and pressure >= CLEAR * high:
-                words = f"{_capitalise(what)} yields: the largest pressure of {{pressure}} exceeds {{onset:4}}, "
-                words += f"{line:.3g} times its yield strength, at which a line contact begins to yield."
-                yield Check(
-                    "yield", CheckStatus.OVER, pressure / high, finding("yield", words, onset=mpa(high), **numbers)
-                )
-            elif usual and CLEAR * pressure <= low:
-                words = (
-                    f"{_capitalise(what)} does not yield: the largest pressure of {{pressure}} is below {{onset:4}}, "
-                )
-                words += f"{point:.3g} times its yield strength, at which a point contact begins to yield."
-                yield Check(
-                    "yield", CheckStatus.FINE, pressure / low, finding("yield", words, onset=mpa(low), **numbers)
-                )
-            else:
-                yield _not_known("yield", f"Whether {what} yields is decided by a search for its largest stress.")
+            yield self._onset(solution, material.yield_strength, usual)
         if depth is None:
             return
         core = material.core_yield_strength
@@ -424,12 +403,24 @@ class _BodyCheck:
             return
         if core is not None:
             words = f"The core of {self.name} does not yield: no more than {{stress:3}} reach it, of {{core:g}}."
-            yield Check(
-                "core", CheckStatus.FINE, stress / core, finding("core", words, stress=mpa(stress), core=mpa(core))
-            )
+            yield _judged("core", stress / core, words, stress=mpa(stress), core=mpa(core))
         words = f"The case of {self.name}, {{depth:g}} deep, reaches below the largest shear stresses."
-        ratio = _DEEPEST_SHEAR * wide / depth
-        yield Check("case depth", CheckStatus.FINE, ratio, finding("case depth", words, depth=mm(depth)))
+        yield _judged("case depth", _DEEPEST_SHEAR * wide / depth, words, depth=mm(depth))
+
+    def _onset(self, solution: Solution, strength: float, usual: bool) -> Check:
+        """Return the check of yielding by the pressures at which Hertz's contacts begin to yield."""
+        pressure, what = solution.max_pressure, f"{'the case of ' * (self.body.case_depth is not None)}{self.name}"
+        point, line = onset_of_yield(self.body.material.poisson)
+        if self.body.bore is None and not solution.peaks_at_corner and pressure >= CLEAR * (line * strength):
+            kind, factor, answer, beside = "line", line, "yields", "exceeds"
+        elif usual and CLEAR * pressure <= point * strength:
+            kind, factor, answer, beside = "point", point, "does not yield", "is below"
+        else:
+            return _not_known("yield", f"Whether {what} yields is decided by a search for its largest stress.")
+        words = f"{_capitalise(what)} {answer}: the largest pressure of {{pressure}} {beside} {{onset:4}}, "
+        words += f"{factor:.3g} times its yield strength, at which a {kind} contact begins to yield."
+        onset = factor * strength
+        return _judged("yield", pressure / onset, words, onset=mpa(onset), pressure=mpa(pressure))
 
     def yields(self, case: Extremes) -> Check:
         """Return the check of the yield strength, of a hardened body in its case."""
@@ -470,7 +461,7 @@ class _BodyCheck:
             "less, and the largest orthogonal one, at z = {orthogonal:3} or less."
         )
         numbers = {"depth": mm(depth), "shear": mm(shear), "orthogonal": mm(orthogonal)}
-        yield Check(name, _verdict(ratio), ratio, finding(name, words, **numbers))
+        yield _judged(name, ratio, words, **numbers)
 
     def _equivalent(self, extremes: Extremes) -> Extreme:
         if self.criterion == "von-mises":
@@ -514,11 +505,11 @@ def _compare(name: str, ratio: float, what: str, allowed: float, noun: str, then
     percent = format_input(100.0 * (ratio if ratio <= 1.0 else ratio - 1.0), 3)
     compared = f"is {percent} % of {noun.rstrip(',')}" if ratio <= 1.0 else f"exceeds {noun} by {percent} %"
     words = f"{what} {compared}{f': {then}' if then else ''}."
-    return Check(name, _verdict(ratio), ratio, finding(name, words, allowed=mpa(allowed), **numbers))
+    return _judged(name, ratio, words, allowed=mpa(allowed), **numbers)
 
 
-def _verdict(ratio: float) -> CheckStatus:
-    return CheckStatus.FINE if ratio <= 1.0 else CheckStatus.OVER
+def _judged(name: str, ratio: float, words: str, /, **numbers: Any) -> Check:
+    return Check(name, CheckStatus.FINE if ratio <= 1.0 else CheckStatus.OVER, ratio, finding(name, words, **numbers))
 
 
 def _widest(solution: Solved) -> float:

@@ -130,12 +130,11 @@ def judge_contact(solution: Solution, strengths: Iterable[Strength] = (), *, sea
     if not solution.contact_y:
         return None
     at_hand = {strength.body: strength.checks for strength in strengths}
-    bodies = dict(zip(BODIES, (solution.contact.a, solution.contact.b), strict=True))
     checks = [check for name in BODIES for check in at_hand.get(name) or judge(solution, body=name, search=search)]
     return _make_verdict(
         [
             *_order_checks(checks),
-            *_unknown({f"body {name}": body.material for name, body in bodies.items()}),
+            *_unknown({f"body {name}": body.material for name, body in solution.contact.bodies.items()}),
             *_judge_ends(solution),
             *_list_strains(solution.findings),
         ],
@@ -254,29 +253,18 @@ def judge_bearing(
     limits : iterable of Limit
         How it compares with what makers publish.
     """
-    findings = [] if clearance is None else list(_judge_fits(clearance))
+    findings = list(_judge_fits(clearance))
     checks = list(_check_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
     findings += _order_checks(checks)
-    if life is not None and math.isfinite(life.static_safety):
-        enough = life.static_safety >= 1.0
-        words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
-        findings.append(
-            (Level.MET if enough else Level.NOT_MET, finding("static-safety", words, safety=life.static_safety))
-        )
-    if life is not None and life.required is not None:
-        findings.append(_judge_life(None if math.isnan(life.rated_life) else life.rated_life, life.required))
-    findings += _judge_films(films)
+    findings += [*_judge_rating(life), *_judge_films(films)]
     findings += [(_OF_LIMIT[met], item) for met, item in limits]
-    if not findings and not solution.load.any():
-        return None
     row = solution.bearing.rows[0].bearing
     parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
-    findings += _unknown({name: part.material for name, part in parts.items()})
-    return (
-        _make_verdict([*findings, *_list_strains(collect_findings(solution, life, clearance))], checks)
-        if findings
-        else None
-    )
+    if findings or solution.load.any():
+        findings += _unknown({name: part.material for name, part in parts.items()})
+    if not findings:
+        return None
+    return _make_verdict([*findings, *_list_strains(collect_findings(solution, life, clearance))], checks)
 
 
 def collect_findings(
@@ -285,6 +273,18 @@ def collect_findings(
     """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
     beside = (source.findings for source in (life, clearance) if source is not None)
     return (*solution.findings, *(item for source in beside for item in source))
+
+
+def _judge_rating(life: BearingLife | None) -> Iterator[tuple[Level, Finding]]:
+    """Yield how static safety and rated life compare with what is needed."""
+    if life is None:
+        return
+    if math.isfinite(life.static_safety):
+        enough = life.static_safety >= 1.0
+        words = "The static safety S0 is {safety:.3g}" + (", at least 1." if enough else ", below 1.")
+        yield _OF_LIMIT[enough], finding("static-safety", words, safety=life.static_safety)
+    if life.required is not None:
+        yield _judge_life(None if math.isnan(life.rated_life) else life.rated_life, life.required)
 
 
 def _judge_films(films: Films | None) -> Iterator[tuple[Level, Finding]]:
@@ -305,7 +305,9 @@ def _judge_films(films: Films | None) -> Iterator[tuple[Level, Finding]]:
         yield Level.MET if enough else Level.STRAINED, finding("film", words, parameter=smallest)
 
 
-def _judge_fits(clearance: OperatingClearance) -> Iterator[tuple[Level, Finding]]:
+def _judge_fits(clearance: OperatingClearance | None) -> Iterator[tuple[Level, Finding]]:
+    if clearance is None:
+        return
     for ring, fit, seat in (("inner", clearance.inner, "on its shaft"), ("outer", clearance.outer, "in its housing")):
         if fit.loosened:
             words = "The {ring} ring has come loose {seat}: {mounted:4} between them when mounted, none in operation."
@@ -352,7 +354,7 @@ def _judge_life(life: float | None, required: float) -> tuple[Level, Finding]:
     enough = life >= required
     verb = "reaches" if enough else "is below"
     words = f"The life of {{life:.4g}} million revolutions {verb} the {{required:.4g}} that are asked for."
-    return (Level.MET if enough else Level.NOT_MET), finding("life", words, life=life, required=required)
+    return _OF_LIMIT[enough], finding("life", words, life=life, required=required)
 
 
 def _judge_ends(solution: Solution) -> Iterator[tuple[Level, Finding]]:
