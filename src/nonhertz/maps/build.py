@@ -125,8 +125,7 @@ def build_surfaces(
         refined = _refine(shape, coefficients[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
         if refined is None or _scattered(tried) or samples.load.size > _MOST_CASES:
-            least = min(misses.typical for misses, _ in tried)
-            shape = next(candidate for misses, candidate in tried if misses.typical <= _AS_GOOD * least)
+            shape = _coarsest(tried)
             coefficients = fit_surfaces(shape, samples, _touch(shape, relief))
             _, misses = checked(building.checks)
             break
@@ -136,6 +135,12 @@ def build_surfaces(
         "mean_approach": coefficients[0], "others": coefficients[1],
         "sampled_error": misses.sampled(), "cases": samples.load.size, "failed": failed,
     }  # fmt: skip
+
+
+def _coarsest(tried: list[tuple[Misses, Shape]]) -> Shape:
+    """Return the first shape that is about as good as the best."""
+    least = min(misses.typical for misses, _ in tried)
+    return next(shape for misses, shape in tried if misses.typical <= _AS_GOOD * least)
 
 
 def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:

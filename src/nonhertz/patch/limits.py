@@ -58,34 +58,37 @@ def error_estimate(
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
         return ErrorEstimate(*[math.inf] * 5)
-    by_load, pressure = problem.prescribed.by_force[0], solution.max_pressure
+    by_load, by_moment = problem.prescribed.by_force
     before_touch = solution.approach - solution.penetration
-    beyond_touch = [level.approach - before_touch for level in levels]
-    lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
-    unlimited = lost or bool(_cut_off(solution, outcome.grid) or _edges_of_bodies(solution))
-    unlimited |= any(_too_long(solution, end) for end in solution.singular_ends)
-    singular = singular_y(solution)
-    highest = [largest_pressure(*level.along, singular)[0] for level in levels]
     reach = 0.5 * (outcome.grid.y_span[1] - outcome.grid.y_span[0])
-    turned, leaned = [level.moment for level in levels], [reach * level.tilt for level in levels]
+    states = [(level.approach, level.load, level.moment, level.tilt) for level in levels]
+    approach, load, moment, tilt = np.array(states).T
+    singular = singular_y(solution)
+    highest = np.array([largest_pressure(*level.along, singular)[0] for level in levels])
+    of_pressure = max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, solution.max_pressure))
+    of_approach = max(_change(approach - before_touch), _share(unseen.lift, solution.penetration))
+    of_load = max(_change(load), STEEPEST * _share(unseen.lift, largest))
     return ErrorEstimate(
-        approach=max(_change(beyond_touch), _share(unseen.lift, solution.penetration)) if by_load else 0.0,
-        load=0.0
-        if by_load
-        else max(_change([level.load for level in levels]), STEEPEST * _share(unseen.lift, largest)),
-        max_pressure=math.inf
-        if unlimited
-        else max(_change(highest, PRESSURE_MARGIN), _share(unseen.pressure, pressure)),
-        moment=0.0 if problem.prescribed.by_force[1] else _change(turned, whole=levels[-1].load * reach),
-        tilt=_change(leaned, whole=solution.penetration) if problem.prescribed.by_force[1] else 0.0,
+        approach=of_approach if by_load else 0.0,
+        load=0.0 if by_load else of_load,
+        max_pressure=math.inf if _is_unlimited(solution, problem, outcome.grid) else of_pressure,
+        moment=0.0 if by_moment else _change(moment, whole=float(load[-1]) * reach),
+        tilt=_change(reach * tilt, whole=solution.penetration) if by_moment else 0.0,
     )
+
+
+def _is_unlimited(solution: PatchSolution, problem: PatchProblem, grid: Grid) -> bool:
+    """Return whether the largest pressure has no limit, or is arbitrary on these cells."""
+    lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
+    cut = bool(_cut_off(solution, grid) or _edges_of_bodies(solution))
+    return lost or cut or any(_too_long(solution, end) for end in solution.singular_ends)
 
 
 def _share(error: float, whole: float) -> float:
     return error / abs(whole) if whole != 0.0 else math.inf if error > 0.0 else 0.0
 
 
-def _change(values: list[float], margin: float = MARGIN, whole: float | None = None) -> float:
+def _change(values: Array, margin: float = MARGIN, whole: float | None = None) -> float:
     """Return the last change, or half the one before if that is larger, relative to ``whole`` or else the last value.
 
     One may be small by chance.
@@ -93,8 +96,8 @@ def _change(values: list[float], margin: float = MARGIN, whole: float | None = N
     At a sharp end errors fall in proportion to the cell size, so the last change is the error itself, which the margin
     covers. At smooth ends they fall faster.
     """
-    changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: len(values) - 1]
-    whole = abs(values[-1]) if whole is None else abs(whole)
+    changes = np.abs(np.diff(values))[::-1] * (1.0, 0.5)[: values.size - 1]
+    whole = abs(float(values[-1]) if whole is None else whole)
     return margin * float(np.max(changes)) / whole if whole != 0.0 else 0.0
 
 

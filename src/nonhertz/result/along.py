@@ -50,18 +50,17 @@ def axial_range(solution: Solution) -> tuple[float, float]:
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:
     """Return where a body ends along y [mm] and the name of the end, ascending."""
-    bodies = {"a": solution.contact.a, "b": solution.contact.b}
+    bodies = solution.contact.bodies
     kinds = [type(body).__name__.lower() for body in bodies.values()]
     distinct = kinds[0] != kinds[1] and "body" not in kinds
     ends = []
     for (letter, body), kind in zip(bodies.items(), kinds, strict=True):
         name = kind if distinct else f"body {letter}"
-        faces = () if body.length is None else tuple(body.position + s * body.length for s in (-0.5, 0.5))
-        for end in body.interval:
-            if np.isfinite(end):
-                # An effective length, or the end of a profile's definition, ends the contact before the face.
-                is_face = any(np.isclose(end, face) for face in faces)
-                ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
+        faces = () if body.length is None else (body.position - 0.5 * body.length, body.position + 0.5 * body.length)
+        for end in filter(np.isfinite, body.interval):
+            # An effective length, or the end of a profile's definition, ends the contact before the face.
+            is_face = np.isclose(end, faces).any()
+            ends.append((float(end), f"end of {name}" if is_face else f"usable end of {name}"))
     return sorted(ends)
 
 
@@ -92,8 +91,8 @@ def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
     if not pressed.any():
         return []
     y, pressure, reach = solution.y[pressed], solution.centre_pressure[pressed], 0.5 * solution.half_width[pressed]
-    lands = [end for body in (solution.contact.a, solution.contact.b) for end in body.land if np.isfinite(end)]
-    unlimited = [edge.y for edge in unlimited_ends(solution)]
+    lands = np.array([body.land for body in solution.contact.bodies.values()])
+    unlimited = np.array([edge.y for edge in unlimited_ends(solution)])
     peaks = []
     for inwards in (slice(None), slice(None, None, -1)):
         rises = np.diff(pressure[inwards]) > 0.0
@@ -101,8 +100,8 @@ def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
         valley = peak + int(np.argmax(np.append(rises[peak:], True)))
         place, top, near = (float(values[inwards][peak]) for values in (y, pressure, reach))
         is_one = valley < rises.size and top > RISE * float(pressure[inwards][valley])
-        at_land_end = any(abs(place - end) < near for end in lands)
-        if is_one and at_land_end and all(abs(place - end) > 2.0 * near for end in unlimited):
+        at_land_end = np.any(np.abs(place - lands) < near)
+        if is_one and at_land_end and np.all(np.abs(place - unlimited) > 2.0 * near):
             peaks.append((place, top))
     return peaks
 

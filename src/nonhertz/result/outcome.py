@@ -47,7 +47,7 @@ def outcome(problem: Problem, result: core.Result) -> Solution:
     """
     solution, checks = solution_of(problem, result), result.judgement.checks
     converged = solution.status is Status.CONVERGED
-    if not converged or not (checks.radius_ratio <= 1.0 and checks.depth_ratio >= 1.0):
+    if not (converged and checks.radius_ratio <= 1.0 and checks.depth_ratio >= 1.0):
         refuse_wide(solution, problem)
     if has_series(problem):
         refuse_wide_series(solution)
@@ -55,10 +55,8 @@ def outcome(problem: Problem, result: core.Result) -> Solution:
         way_out = _FEWER if solution.strips > PATIENT_STRIPS else _WAY_OUT
         raise ConvergenceError(f"{solution.status.value} {way_out}", solution)
     if not result.holds:
-        unmet = shortfall(problem, result)
-        unmet = unmet or next(
-            (f"The {name} of the state reached is not finite." for name in not_finite(solution)), None
-        )
+        infinite = (f"The {name} of the state reached is not finite." for name in not_finite(solution))
+        unmet = shortfall(problem, result) or next(infinite, None)
         if unmet is not None:
             raise ConvergenceError(f"{unmet} {_WAY_OUT}", replace(solution, status=Status.REFUTED))
     return solution
@@ -66,7 +64,7 @@ def outcome(problem: Problem, result: core.Result) -> Solution:
 
 def has_series(problem: Problem) -> bool:
     """Return whether a body has a series of images, which wide contacts are refused for."""
-    return any(body.images == SERIES for body in (problem.contact.a, problem.contact.b))
+    return any(body.images == SERIES for body in problem.contact.bodies.values())
 
 
 def solution_of(problem: Problem, result: core.Result) -> Solution:
