@@ -28,7 +28,7 @@ import httpx
 import numpy as np
 from machine import machine
 
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.starting import starting_case
 
 OUT = Path(__file__).resolve().parents[1] / "docs" / "benchmarks"
 PAGE = Path("page.md")

@@ -27,8 +27,7 @@ from nonhertz.cli import main
 from nonhertz.cli.commands import COMMANDS, EXAMPLES, build_application, repeat_set_option
 from nonhertz.cli.printing import print_result
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.files.bearingfile import BEARING_TEMPLATES
-from nonhertz.files.casefile import TEMPLATES
+from nonhertz.files.starting import BEARING_TEMPLATES, TEMPLATES
 from nonhertz.result.solution import Solution
 from nonhertz.show.sections import Section, Table
 

@@ -13,9 +13,8 @@ import pytest
 import nonhertz as nh
 from nonhertz.cli import main
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import starting_case
 from nonhertz.files.schemas import KINDS, schema_of
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import file_kind
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

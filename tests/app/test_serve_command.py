@@ -9,7 +9,8 @@ import pytest
 
 from nonhertz.cli import main
 from nonhertz.cli.serve import starting_document
-from nonhertz.files.casefile import read_case, starting_case
+from nonhertz.files.casefile import read_case
+from nonhertz.files.starting import starting_case
 from nonhertz.show.solving import solve_case
 from nonhertz.web import limits
 from nonhertz.web.server import serving

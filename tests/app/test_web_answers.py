@@ -17,7 +17,8 @@ from test_bad_input import MISTAKES
 
 import nonhertz as nh
 from nonhertz.amounts import display_units
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import starting_case
 from nonhertz.strength import assess
 from nonhertz.subsurface import extremes
 from nonhertz.web import limits

@@ -19,8 +19,8 @@ from serving import post, running
 import nonhertz as nh
 from nonhertz.bearing.series import series_table
 from nonhertz.cli.serve import starting_document
-from nonhertz.files.bearingfile import BearingCase, starting_bearing
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.ranges import form_state
 from nonhertz.web.form.schema import form_schema

@@ -9,9 +9,9 @@ import pytest
 from changed_documents import changed_documents
 from hypothesis import given, settings
 
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import TEMPLATES as TEMPLATES_OF_CASES
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import TEMPLATES as TEMPLATES_OF_CASES
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.units import to_unit
 from nonhertz.solver.one import solve

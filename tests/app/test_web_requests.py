@@ -16,7 +16,8 @@ from serving import post, raw, running
 from test_web_units import US_ALONE, texts
 
 import nonhertz as nh
-from nonhertz.files.casefile import read_case, starting_case
+from nonhertz.files.casefile import read_case
+from nonhertz.files.starting import starting_case
 from nonhertz.web import limits
 from nonhertz.web.form.ranges import form_state
 from nonhertz.web.server import app, intake, serving, workers

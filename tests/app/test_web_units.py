@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 
 from nonhertz.amounts import display_units
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.files.casefile import TEMPLATES, starting_case
+from nonhertz.files.starting import BEARING_TEMPLATES, TEMPLATES, starting_bearing, starting_case
 from nonhertz.web.server.guard import UNITS as HEADER
 from nonhertz.web.view import jobs
 

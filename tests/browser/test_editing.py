@@ -13,7 +13,8 @@ from desk import Desk, packed
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import starting_case
 
 pytestmark = pytest.mark.browser
 

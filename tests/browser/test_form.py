@@ -11,9 +11,8 @@ from desk import Desk, packed, unpacked
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.prescribed import BearingLoad
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.files.casefile import starting_case
 from nonhertz.files.schemas import schema_of
+from nonhertz.files.starting import BEARING_TEMPLATES, starting_bearing, starting_case
 
 pytestmark = pytest.mark.browser
 

@@ -8,7 +8,7 @@ from desk import Desk, packed, unpacked
 from numpy.testing import assert_allclose
 
 import nonhertz as nh
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.starting import starting_case
 
 pytestmark = pytest.mark.browser
 

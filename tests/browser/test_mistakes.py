@@ -10,7 +10,8 @@ from desk import packed
 from numpy.testing import assert_allclose
 
 from nonhertz.errors import CaseError
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import starting_case
 
 pytestmark = pytest.mark.browser
 

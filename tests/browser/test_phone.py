@@ -2,8 +2,8 @@
 
 import pytest
 
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import read_case, starting_case
+from nonhertz.files.casefile import read_case
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.report import TitleBlock, compose
 
 pytestmark = pytest.mark.browser

@@ -15,9 +15,10 @@ from peak import peak_memory
 from whole_case import TEXT
 
 from nonhertz.errors import CaseError
-from nonhertz.files.bearingfile import read_bearing, starting_bearing
+from nonhertz.files.bearingfile import read_bearing
 from nonhertz.files.bounds import MISTAKES
-from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.casefile import Case, read_case
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import parse
 
 SEED = 20261

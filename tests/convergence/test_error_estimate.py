@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.starting import starting_case
 from nonhertz.model.profile import Profile
 
 # Few strips, of which a large estimate is said.

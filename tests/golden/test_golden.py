@@ -6,7 +6,7 @@ import re
 import pytest
 
 from golden import BEARING_TEMPLATES, EXAMPLES, RUNS, TEMPLATES, compact, kept, machine, ran
-from nonhertz.files import bearingfile, casefile
+from nonhertz.files import starting
 
 SAME, ELSEWHERE = 1e-12, 1e-9
 # Parts of command and name, and how far a number may be off on the same machine and elsewhere. The first were measured
@@ -89,8 +89,8 @@ def difference(one, other):
 
 
 def test_every_template_is_among_them():
-    assert set(TEMPLATES) == set(casefile.TEMPLATES)
-    assert set(BEARING_TEMPLATES) == set(bearingfile.BEARING_TEMPLATES)
+    assert set(TEMPLATES) == set(starting.TEMPLATES)
+    assert set(BEARING_TEMPLATES) == set(starting.BEARING_TEMPLATES)
 
 
 def test_every_example_is_among_them():

@@ -9,7 +9,8 @@ from scripts import script
 
 import nonhertz as nh
 from nonhertz.files.bounds import FORMAT
-from nonhertz.files.casefile import read_case, starting_case
+from nonhertz.files.casefile import read_case
+from nonhertz.files.starting import starting_case
 
 ROOT = Path(__file__).resolve().parents[2]
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]

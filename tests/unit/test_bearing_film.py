@@ -14,7 +14,7 @@ from nonhertz.bearing.film import dowson_higginson, films, hamrock_dowson, pan_h
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing
 from nonhertz.figures.film import film_figures
 from nonhertz.files.bearing_results import files as written
-from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.starting import starting_bearing
 from nonhertz.show.films import film_rows
 from nonhertz.verdict import Level, judge_bearing
 

@@ -10,7 +10,8 @@ from few_rollers import changed
 
 import nonhertz as nh
 from nonhertz.files.bearing_results import as_object
-from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
+from nonhertz.files.bearingfile import BearingCase, read_bearing
+from nonhertz.files.starting import starting_bearing
 from nonhertz.files.toml import parse
 from nonhertz.show.bearing import summary_rows
 

@@ -13,9 +13,10 @@ from numpy.testing import assert_array_equal
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.files.bearingfile import BearingCase, read_bearing, starting_bearing
+from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.casefile import read_case
 from nonhertz.files.schemas import schema_of
+from nonhertz.files.starting import starting_bearing
 from nonhertz.files.toml import parse
 
 KINDS = nh.bearing.RollerBearing.kinds

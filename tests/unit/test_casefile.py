@@ -18,8 +18,9 @@ from whole_case import TEXT
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.schemas import schema_of
+from nonhertz.files.starting import starting_case
 from nonhertz.life import MODELS, ContactLoadCase, ioannides_harris, iso_16281, zaretsky
 from nonhertz.model.profile import CATALOGUE
 

@@ -5,9 +5,8 @@ import tomllib
 
 import pytest
 
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
-from nonhertz.files.casefile import TEMPLATES, starting_case
 from nonhertz.files.commented import update_toml
+from nonhertz.files.starting import BEARING_TEMPLATES, TEMPLATES, starting_bearing, starting_case
 from nonhertz.files.toml import to_toml
 
 TEXTS = [starting_case(name) for name in (None, *TEMPLATES)]

@@ -6,7 +6,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.bearing.oil import viscosity_at_100
-from nonhertz.files.bearingfile import starting_bearing
+from nonhertz.files.starting import starting_bearing
 
 LUBRICATION = nh.bearing.Lubrication
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.casefile import starting_case
 from nonhertz.files.planfile import Plan, read_any, read_design, read_plan, starting_plan
 from nonhertz.files.spreads import Distribution
+from nonhertz.files.starting import starting_case
 from nonhertz.files.toml import is_plan
 
 

@@ -7,8 +7,7 @@ import pkgutil
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.starting import starting_bearing, starting_case
 
 
 def test_every_public_name_resolves():

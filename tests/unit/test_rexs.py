@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bearingfile import BearingCase, starting_bearing
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.rexs import bearing_file_of_rexs, read_rexs, to_rexs, write_rexs
 from nonhertz.files.rexs.attributes import UNITS, lines
+from nonhertz.files.starting import starting_bearing
 
 FORMS = ("rexs", "rexs.json")
 

@@ -259,8 +259,8 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
 
 
 def test_a_bearing_is_swept_too():
-    from nonhertz.files.bearingfile import starting_bearing
     from nonhertz.files.planfile import parse_case_or_bearing
+    from nonhertz.files.starting import starting_bearing
     from nonhertz.files.toml import parse
 
     text = starting_bearing()

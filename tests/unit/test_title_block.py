@@ -6,8 +6,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import starting_case
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.title_block import TitleBlock
 from nonhertz.web.form.schema import form_schema
 

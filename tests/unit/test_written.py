@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.files.bearingfile import BearingCase, starting_bearing
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.bounds import FORMAT
-from nonhertz.files.casefile import Case, read_case, starting_case
+from nonhertz.files.casefile import Case, read_case
 from nonhertz.files.contact_results import as_object
 from nonhertz.files.results import key_by_key
 from nonhertz.files.sections import Life, OverrolledDent
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import to_toml
 from nonhertz.life import ContactLoadCase
 from nonhertz.model.profile import CATALOGUE, Profile

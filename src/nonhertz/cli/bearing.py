@@ -19,8 +19,9 @@ from nonhertz.cli.options import (
     write_outputs,
 )
 from nonhertz.errors import InputError, without_accuracy_warnings
+from nonhertz.files.bearing_document import with_file_path
 from nonhertz.files.bearing_results import comparison_files, comparison_object
-from nonhertz.files.bearingfile import BearingCase, read_bearing, with_file_path
+from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.resultfile import Result
 from nonhertz.files.results import key_by_key
 from nonhertz.inputs.checks import whole
@@ -101,7 +102,7 @@ def bearing(
     try:
         life, reason = case.rated(solution)
     except InputError as error:  # of a contact, when its pressure is solved
-        raise with_file_path(error, document=case.document) from None
+        raise with_file_path(error, case.document) from None
     result = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)

@@ -10,11 +10,10 @@ from cyclopts import Parameter
 
 from nonhertz.cli.options import Words, rename_fields, split_assignment
 from nonhertz.errors import InputError
-from nonhertz.files.bearingfile import starting_bearing
-from nonhertz.files.casefile import starting_case
 from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
 from nonhertz.files.geometries import bearing_of_designation
 from nonhertz.files.planfile import read_any, starting_plan
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import write_new
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import starting_case
 from nonhertz.files.toml import file_kind, load_document, parse
 from nonhertz.web.form.inlining import inline_files
 from nonhertz.web.limits import refuse, too_slow, unfit

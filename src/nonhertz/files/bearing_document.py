@@ -6,6 +6,7 @@ second row like the first within it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,14 +21,15 @@ from nonhertz.bearing.parts import InnerRing, OuterRing, Rollers
 from nonhertz.bearing.prescribed import BearingLoad, one_state
 from nonhertz.bearing.spectrum import BearingLoadCase
 from nonhertz.bearing.verb import BearingSolver
-from nonhertz.errors import InputError, InputsError
+from nonhertz.errors import CaseError, InputError, InputsError
 from nonhertz.files.bounds import FORMAT, LOADS
-from nonhertz.files.mistakes import place_of
+from nonhertz.files.mistakes import case_error, place_of
 from nonhertz.files.profiles import read_profile
 from nonhertz.files.reading import ReadContext, TableReader, check_table, read_input
 from nonhertz.files.ring_shapes import read_shape, shape_tables
 from nonhertz.files.sections import FORMAT_FIELD, combined_radius, describe_title, locate_body_error, sample_interval
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.files.toml import OF_BEARINGS
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.descriptions import Part, Several
 from nonhertz.inputs.fields import Input, cross_check, default_of, input_class
@@ -183,25 +185,16 @@ class _FileReader(TableReader):
             _refuse_oil(written)
         if name != "bearing":
             return super().read_value(name, written)
-        table, pair = dict(check_table(written, (name,))), None
+        table = check_table(written, (name,))
         mistakes: list[InputError] = []
-        if "pair" in table:
-            try:
-                pair = read_input(Pair, table.pop("pair"), self.file, (name, "pair"))
-            except InputError as error:
-                mistakes += error.within("pair").each
         parts = {part: self.values.get(part) for part in PARTS}
-        row = _RowReader(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",))
         try:
-            made: Any = row.build()
+            return _RowReader(RollerBearing, table, self.file, (name,), beside=parts, known=("pair",)).build()
         except InputsError as error:
             for mistake in error.each:
                 part = place_of(mistake.field)[0]
                 (self.mistakes if part in PARTS and part not in table else mistakes).append(mistake)
             raise InputsError(mistakes) from None
-        if mistakes:
-            raise InputsError(mistakes)
-        return made if pair is None else paired(made, **pair.keywords)
 
 
 def _refuse_oil(life: dict[str, Any]) -> None:
@@ -214,7 +207,23 @@ def _refuse_oil(life: dict[str, Any]) -> None:
 
 
 class _RowReader(TableReader):
-    """A row of rollers that is being read."""
+    """A row of rollers, or a pair of rows, that is being read."""
+
+    pair: Pair | None = None
+
+    def build(self) -> Any:
+        """Return the row, or the pair."""
+        row: Any = super().build()
+        return row if self.pair is None else paired(row, **self.pair.keywords)
+
+    def read_fields(self) -> None:
+        """Read every field that is given, and how a second row lies."""
+        super().read_fields()
+        if "pair" in self.table:
+            try:
+                self.pair = read_input(Pair, self.table["pair"], self.file, (*self.place, "pair"))
+            except InputError as error:
+                self.mistakes += error.within("pair").each
 
     def read_value(self, name: str, written: Any) -> Any:
         """Return the value of a field."""
@@ -241,6 +250,30 @@ def locate_fit_error(error: InputError) -> InputError:
         condition = "be left out: fits are those of cylindrical, needle, tapered and spherical bearings"
         return InputError("fit", None, condition, "remove the table")
     return error.within("load" if error.field == "speed" else "fit")
+
+
+def with_file_path(error: InputError, document: Mapping[str, Any], *sections: str) -> CaseError:
+    """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
+
+    An error about something that is in no file, such as the approach of a contact, comes from the loads.
+    """
+    field = error.field.partition(".")[0]
+    if sections == ("fit",):
+        error = locate_fit_error(error)
+    elif within := [
+        section
+        for section in (*sections, "lubrication", "load", "solver")
+        if field in BearingFile.inputs[section].descriptions
+    ]:
+        error = error.within(within[0])
+    elif field == "viscosity_ratio":
+        error = error.about("lubrication.viscosity", error.value)
+    elif field not in OF_BEARINGS:
+        if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
+            sentence = f"load must leave every contact of the rollers within the model: {error}"
+            return CaseError([sentence], ["load"])
+        error = error.within("bearing")
+    return case_error([error], document)
 
 
 def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:

@@ -5,12 +5,12 @@ All mistakes in a file are found at once and raised together, in the wording of 
 
 from __future__ import annotations
 
+import contextlib
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from nonhertz.bearing.assessed import LifeConditions
@@ -23,18 +23,17 @@ from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.ratings import Rating, rating
 from nonhertz.bearing.spectrum import BearingLoadCase
 from nonhertz.bearing.verb import BearingSolver
-from nonhertz.errors import CaseError, InputError, NonhertzError, without_accuracy_warnings
+from nonhertz.errors import InputError, NonhertzError, without_accuracy_warnings
 from nonhertz.files.bearing_document import (
     BearingFile,
     BearingLifeConditions,
     bearing_sections,
-    locate_fit_error,
     read_document,
+    with_file_path,
 )
 from nonhertz.files.casefile import Case
 from nonhertz.files.document import CaseBase
-from nonhertz.files.mistakes import case_error
-from nonhertz.files.toml import OF_BEARINGS, starting_text
+from nonhertz.files.starting import starting_bearing
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import one_of, whole
 from nonhertz.inputs.fields import Input
@@ -50,6 +49,9 @@ if TYPE_CHECKING:
     from nonhertz.bearing.solution import BearingSolution
     from nonhertz.bearing.toleranced import Numbers, Tolerances
     from nonhertz.verdict import Verdict
+
+
+_OF_SPEED = ("speed", "viscosity_ratio")
 
 
 def _check_loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
@@ -158,10 +160,8 @@ class BearingCase(CaseBase):
         """
         if self.fit is None:
             return None
-        try:
+        with self._name_keys("fit"):
             return self.fit.operating(self.bearing.rows[0].bearing, self._inner_speed)
-        except InputError as error:
-            raise with_file_path(error, "fit", document=self.document) from None
 
     @cached_property
     def mounted(self) -> RollerBearing | Paired:
@@ -178,10 +178,8 @@ class BearingCase(CaseBase):
 
         if self.fit is None:
             return adjust_preload(self.bearing, **self.solver.keywords)
-        try:
+        with self._name_keys("fit"):
             return self.fit.mounted(self.bearing, self._inner_speed, method=self.solver.method)
-        except InputError as error:
-            raise with_file_path(error, "fit", document=self.document) from None
 
     @property
     def kinematics(self) -> Kinematics | None:
@@ -228,9 +226,8 @@ class BearingCase(CaseBase):
 
         _check_loaded(solution)
         viscosity, speed = self.lubrication.in_place.viscosity, self.prescribed.speed
-        ratio = None
-        if viscosity is not None and speed:
-            ratio = viscosity / reference_viscosity(speed, self.bearing.rows[0].bearing.pitch)
+        reference = reference_viscosity(speed, self.bearing.rows[0].bearing.pitch) if speed else None
+        ratio = None if viscosity is None or reference is None else viscosity / reference
         return limits(
             solution,
             rating=self._rating,
@@ -255,6 +252,16 @@ class BearingCase(CaseBase):
         except InputError:
             return None
 
+    @contextlib.contextmanager
+    def _name_keys(self, *sections: str, fields: Container[str] | None = None) -> Iterator[None]:
+        """Name the key in the file in what is refused within, only where it is one of ``fields`` if they are given."""
+        try:
+            yield
+        except InputError as error:
+            if fields is not None and error.field not in fields:
+                raise
+            raise with_file_path(error, self.document, *sections) from None
+
     @property
     def _inner_speed(self) -> float:
         """The speed at which the inner ring and the shaft widen [1/min]."""
@@ -275,10 +282,8 @@ class BearingCase(CaseBase):
         """
         if self.fit is None:
             return replace(self, bearing=self.bearing.at(clearance))
-        try:
+        with self._name_keys("fit"):
             fit, _ = self.fit.at(self.bearing.rows[0].bearing, clearance)
-        except InputError as error:
-            raise with_file_path(error, "fit", document=self.document) from None
         return replace(self, bearing=self.bearing.at(clearance), fit=fit)
 
     def tolerances(self, solution: BearingSolution, life: BearingLife | None = None) -> Tolerances | None:
@@ -299,10 +304,8 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.toleranced import Tolerances, numbers_of
 
         _check_loaded(solution, life)
-        try:
+        with self._name_keys("fit"):
             ranges = clearance_ranges(self.fit, self.bearing.rows[0].bearing, self._inner_speed)
-        except InputError as error:
-            raise with_file_path(error, "fit", document=self.document) from None
         if ranges.known:
             return None
         if solution.method not in self.at_limits:
@@ -343,10 +346,8 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.verb import solve
 
         solver = self.solver.keywords | ({} if method is None else {"method": method})
-        try:
+        with self._name_keys():
             return solve(self.mounted, **self.prescribed.keywords, turning=self.life.turning, **solver)
-        except InputError as error:
-            raise with_file_path(error, document=self.document) from None
 
     def assess(self, solution: BearingSolution) -> BearingLife:
         """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
@@ -363,7 +364,7 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.assessed import assess
         from nonhertz.bearing.spectrum import solve_spectrum
 
-        try:
+        with self._name_keys("life", fields={*LifeConditions.descriptions, *Lubrication.descriptions, *_OF_SPEED}):
             oil = self.lubrication.in_place.keywords
             # Of thrust bearings an oil is known for its films alone, unless a modified life is asked for.
             if isinstance(self.bearing.rows[0].bearing, CylindricalThrustBearing) and len(oil) == 1:
@@ -372,15 +373,10 @@ class BearingCase(CaseBase):
             conditions.pop("spectrum")
             if not self.spectrum:
                 return assess(solution, **conditions, speed=self.prescribed.speed or None)
-            required = bool(oil) or isinstance(self.life.required, str)
-            known = required or all(case.speed for case in self.spectrum)
-            speeds = [case.speed for case in self.spectrum] if known else None
+            speeds = [case.speed for case in self.spectrum]
+            needed = oil or isinstance(self.life.required, str)
             pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
-            return assess(pairs, **conditions, speed=speeds)
-        except InputError as error:
-            if error.field in {*LifeConditions.descriptions, *Lubrication.descriptions, "speed", "viscosity_ratio"}:
-                raise with_file_path(error, "life", document=self.document) from None
-            raise
+            return assess(pairs, **conditions, speed=speeds if needed or all(speeds) else None)
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
         """Return what `assess` does, or None and the reason why such a bearing has no rating.
@@ -395,7 +391,7 @@ class BearingCase(CaseBase):
         except InputError as error:
             if error.field in {"bearing", "solution"}:
                 return None, f"the bearing must {error.condition}"
-            raise with_file_path(error, "life", document=self.document) from None
+            raise with_file_path(error, self.document, "life") from None
 
     def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
         """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
@@ -476,33 +472,6 @@ def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> 
     return BearingCase.read(path, changes)
 
 
-#: Bearings whose files `starting_bearing` returns, by name, in words.
-BEARING_TEMPLATES = {
-    "cylindrical": "cylindrical roller bearing",
-    "needle": "needle roller bearing",
-    "tapered-pair": "pair of tapered roller bearings",
-    "spherical": "spherical roller bearing",
-    "thrust": "cylindrical roller thrust bearing",
-}
-
-
-def starting_bearing(template: str | None = None) -> str:
-    """Return a commented bearing file to start from.
-
-    Parameters
-    ----------
-    template : str, optional
-        One of `BEARING_TEMPLATES`, each an example of a kind of bearing; one with all that a bearing file may hold if
-        left out.
-
-    Raises
-    ------
-    InputError
-        If there is no such template.
-    """
-    return starting_text("starting_bearing.toml", template, BEARING_TEMPLATES, "templates/bearings")
-
-
 def new_bearing(template: str | None = None, changes: Mapping[str, Any] | None = None) -> BearingCase:
     """Return a bearing and what loads it to start from, the one that ``nonhertz new --bearing`` writes as a file.
 
@@ -528,27 +497,3 @@ def new_bearing(template: str | None = None, changes: Mapping[str, Any] | None =
     """
     text = starting_bearing(template)
     return BearingCase.of(tomllib.loads(text), Path("bearing.toml"), text, changes=changes)
-
-
-def with_file_path(error: InputError, *sections: str, document: Mapping[str, Any] = MappingProxyType({})) -> CaseError:
-    """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
-
-    An error about something that is in no file, such as the approach of a contact, comes from the loads.
-    """
-    field = error.field.partition(".")[0]
-    if sections == ("fit",):
-        error = locate_fit_error(error)
-    elif within := [
-        section
-        for section in (*sections, "lubrication", "load", "solver")
-        if field in BearingFile.inputs[section].descriptions
-    ]:
-        error = error.within(within[0])
-    elif field == "viscosity_ratio":
-        error = error.about("lubrication.viscosity", error.value)
-    elif field not in OF_BEARINGS:
-        if not any(field in kind.descriptions for kind in RollerBearing.kinds.values()) and field != "pair":
-            sentence = f"load must leave every contact of the rollers within the model: {error}"
-            return CaseError([sentence], ["load"])
-        error = error.within("bearing")
-    return case_error([error], document)

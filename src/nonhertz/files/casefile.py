@@ -17,7 +17,7 @@ from nonhertz.files.document import CaseBase
 from nonhertz.files.mistakes import case_error
 from nonhertz.files.reading import read_input
 from nonhertz.files.sections import CaseDocument, Life, OverrolledDent, Solver, locate_body_error, read_context
-from nonhertz.files.toml import starting_text
+from nonhertz.files.starting import starting_case
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.fields import Input
 from nonhertz.model.body import BODIES
@@ -142,34 +142,6 @@ def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Cas
         If ``path`` is not the name of a file, or ``changes`` not a mapping.
     """
     return Case.read(path, changes)
-
-
-#: Machine elements whose cases `starting_case` returns, by name, in words.
-TEMPLATES = {
-    "cylindrical": "cylindrical roller on a ring",
-    "tapered": "tapered roller on a ring",
-    "spherical": "barrel of a spherical roller bearing",
-    "needle": "needle on a shaft",
-    "wheel-on-rail": "crowned wheel on a rail",
-    "gear-flank": "flanks of spur gears",
-    "cam": "cam and roller follower",
-}
-
-
-def starting_case(template: str | None = None) -> str:
-    """Return a commented case file to start from.
-
-    Parameters
-    ----------
-    template : str, optional
-        One of `TEMPLATES`, each an example of a machine element; one with all that a case may hold if left out.
-
-    Raises
-    ------
-    InputError
-        If there is no such template.
-    """
-    return starting_text("starting_case.toml", template, TEMPLATES, "templates")
 
 
 def new_case(template: str | None = None, changes: Mapping[str, Any] | None = None) -> Case:

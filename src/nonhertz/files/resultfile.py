@@ -56,7 +56,8 @@ class Result:
     --------
     >>> import json
     >>> import tempfile
-    >>> from nonhertz.files.casefile import read_case, starting_case
+    >>> from nonhertz.files.casefile import read_case
+    >>> from nonhertz.files.starting import starting_case
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "case.toml")
     ...     _ = path.write_text(starting_case())
@@ -152,7 +153,8 @@ def read_result(path: str | Path) -> Result:
     Examples
     --------
     >>> import tempfile
-    >>> from nonhertz.files.casefile import read_case, starting_case
+    >>> from nonhertz.files.casefile import read_case
+    >>> from nonhertz.files.starting import starting_case
     >>> from nonhertz.files.folder import write_files
     >>> from nonhertz.files.contact_results import files
     >>> with tempfile.TemporaryDirectory() as folder:

@@ -7,15 +7,13 @@ import contextlib
 import errno
 import re
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
-from importlib import resources
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from nonhertz.errors import CaseError, InputError, joined, nearest
 from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, exceeded_limit, has_long_key
 from nonhertz.files.mistakes import path_of
-from nonhertz.inputs.checks import one_of
 from nonhertz.inputs.files import read_bytes
 
 #: Tables of a bearing file in place of those of both bodies, and what only plans have.
@@ -75,32 +73,34 @@ def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, 
     path = Path(path)
     try:
         text = read_bytes(path, LARGEST_CASE).decode("utf-8-sig")
-    except FileNotFoundError:
-        new = "nonhertz new" if kinds[0] == "case" else f"nonhertz new --{kinds[0]}"
-        hint = f"give the path of a {what}, or begin with one from '{new} {path}'"
-        beside = {file.stem: file for file in path.parent.glob("*.toml")}
-        meant = nearest(path.stem, beside)
-        sentence = f"{path} must exist: {hint}."
-        if meant:
-            sentence = f"{path} does not exist. Did you mean {beside[meant]}?"
-    except IsADirectoryError:
-        sentence = f"{path} must be a file, not a directory: give the path of a {what}."
-    except UnicodeDecodeError as error:
-        line = error.object.count(b"\n", 0, error.start) + 1
-        sentence = f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        too_large = getattr(error, "errno", None) == errno.EFBIG
-        hint = "put measured points into a file that it names" if too_large else "check path and permissions"
-        sentence = f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {hint}."
-    else:
-        document = parse(text, str(path))
-        kind = file_kind(document)
-        if not kind or kind in kinds or "plan" in kinds:
-            return document, path, text
-        contents = joined((_CONTENTS[kind_] for kind_ in kinds), "or")
-        sentence = f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {_COMMANDS[kind]} {path}'."
-    raise CaseError([sentence])
+        raise CaseError([_explain_unreadable(path, error, what, kinds[0])]) from None
+    document = parse(text, str(path))
+    kind = file_kind(document)
+    if kind and kind not in kinds and "plan" not in kinds:
+        contents, command = joined((_CONTENTS[kind_] for kind_ in kinds), "or"), _COMMANDS[kind]
+        raise CaseError([f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {command} {path}'."])
+    return document, path, text
+
+
+def _explain_unreadable(path: Path, error: OSError | ValueError, what: str, kind: str) -> str:
+    """Return why a file of a kind, ``what`` in words, could not be read, and what to do about it."""
+    match error:
+        case FileNotFoundError():
+            beside = {file.stem: file for file in path.parent.glob("*.toml")}
+            if meant := nearest(path.stem, beside):
+                return f"{path} does not exist. Did you mean {beside[meant]}?"
+            new = "nonhertz new" if kind == "case" else f"nonhertz new --{kind}"
+            return f"{path} must exist: give the path of a {what}, or begin with one from '{new} {path}'."
+        case IsADirectoryError():
+            return f"{path} must be a file, not a directory: give the path of a {what}."
+        case UnicodeDecodeError():
+            line = error.object.count(b"\n", 0, error.start) + 1
+            return f"{path}, line {line}, must be text in UTF-8: save the file with that encoding."
+    reason = getattr(error, "strerror", None) or str(error)
+    too_large = getattr(error, "errno", None) == errno.EFBIG
+    hint = "put measured points into a file that it names" if too_large else "check path and permissions"
+    return f"{path} must be readable ({reason[:1].lower()}{reason[1:]}): {hint}."
 
 
 def parse(text: str, name: str) -> dict[str, Any]:
@@ -161,20 +161,6 @@ def to_toml(document: dict[str, Any]) -> str:
     import tomli_w
 
     return tomli_w.dumps(document)
-
-
-def starting_text(name: str, template: str | None = None, known: Iterable[str] = (), folder: str = "") -> str:
-    """Return the text of one of our own files to start from: of a template in a folder, or of the one of a name.
-
-    Raises
-    ------
-    InputError
-        If a template is asked for that is not known.
-    """
-    if template is not None:
-        one_of("template", template, tuple(known), "choose one of them")
-        name = f"{folder}/{template}.toml"
-    return resources.files("nonhertz.files").joinpath(name).read_text(encoding="utf-8")
 
 
 def write_new(text: str, path: str | Path) -> None:

@@ -11,7 +11,8 @@ from typing import TypeVar
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, ConvergenceError, InputError, without_accuracy_warnings
-from nonhertz.files.bearingfile import BearingCase, with_file_path
+from nonhertz.files.bearing_document import with_file_path
+from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
 from nonhertz.files.lives import Assessment
 from nonhertz.files.sections import Life
@@ -202,7 +203,7 @@ def _solve(case: Case | BearingCase, label: str, announce: Announce) -> Results:
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
         except InputError as error:  # of a contact, when its pressure is solved
-            raise with_file_path(error, document=case.document) from None
+            raise with_file_path(error, case.document) from None
 
 
 def post_process(

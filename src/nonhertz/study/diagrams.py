@@ -211,7 +211,7 @@ def diagram(
     --------
     >>> import nonhertz as nh
     >>> import tempfile
-    >>> from nonhertz.files.bearingfile import starting_bearing
+    >>> from nonhertz.files.starting import starting_bearing
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "nu206.toml")
     ...     _ = path.write_text(starting_bearing(), encoding="utf-8")

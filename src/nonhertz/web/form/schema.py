@@ -8,10 +8,10 @@ from typing import Any, Final
 
 from nonhertz.bearing.series import series_table
 from nonhertz.files.bearing_document import BearingFile
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.keys import Key, Table, table_of
 from nonhertz.files.schemas import schema_of
 from nonhertz.files.sections import CaseDocument
+from nonhertz.files.starting import BEARING_TEMPLATES, starting_bearing
 from nonhertz.files.toml import parse
 from nonhertz.inputs.descriptions import OneOrTwo, Part
 

@@ -13,8 +13,9 @@ from typing import Any, Final, Literal, NamedTuple
 from starlette.exceptions import HTTPException
 
 from nonhertz.bearing.section import RINGS
-from nonhertz.files.bearingfile import BEARING_TEMPLATES, BearingCase, starting_bearing
-from nonhertz.files.casefile import TEMPLATES, Case, starting_case
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
+from nonhertz.files.starting import BEARING_TEMPLATES, TEMPLATES, starting_bearing, starting_case
 from nonhertz.model.body import BODIES
 from nonhertz.web.limits import CURVE_POINTS, is_number
 from nonhertz.web.server.workers import Job

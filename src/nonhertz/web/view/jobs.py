@@ -12,13 +12,14 @@ from typing import Any, Final, Literal, TypeVar
 from nonhertz.amounts import current_units
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import CaseError, InputError
-from nonhertz.files.bearing_document import PARTS
-from nonhertz.files.bearingfile import BearingCase, starting_bearing, with_file_path
-from nonhertz.files.casefile import Case, starting_case
+from nonhertz.files.bearing_document import PARTS, with_file_path
+from nonhertz.files.bearingfile import BearingCase
+from nonhertz.files.casefile import Case
 from nonhertz.files.catalogue import guess_of_catalogue, guessed_document, text_of_guess
 from nonhertz.files.commented import update_toml
 from nonhertz.files.document import CaseBase
 from nonhertz.files.resultfile import Result
+from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import parse
 from nonhertz.model.body import BodyName
 from nonhertz.show.solving import try_solve
@@ -110,7 +111,7 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
             if solution.method == "strips":
                 solution.max_pressure  # noqa: B018  (solves the contacts, each of which may be refused)
         except InputError as error:
-            raise with_file_path(error, document=case.document) from None
+            raise with_file_path(error, case.document) from None
         if solution.method == "slices" and case.life.edge_stress == "pressure":
             # They have no pressures: without the word, life is that of the standard's edges.
             case = replace(case, life=replace(case.life, edge_stress=None))
