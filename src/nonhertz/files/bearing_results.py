@@ -264,12 +264,11 @@ def as_object(solution: BearingSolution, case: BearingCase, life: BearingLife | 
 def rollers_table(solution: BearingSolution, films: Films | None = None) -> str:
     """Return the rollers as CSV with a header of names and units; cells without a number are empty."""
     quantities = [*CONTACT_QUANTITIES.values()] if solution.method == "strips" else _OF_SLICES
-    heads = [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in quantities for ring in RINGS]
-    columns = [column for quantity in quantities for column in quantity.get(solution).T]
+    values = [(quantity, quantity.get(solution)) for quantity in quantities]
     if films is not None:
-        film_quantities = FILM_QUANTITIES.values()
-        heads += [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity in film_quantities for ring in RINGS]
-        columns += [column for quantity in film_quantities for column in quantity.get(films).T]
+        values += [(quantity, quantity.get(films)) for quantity in FILM_QUANTITIES.values()]
+    heads = [heading(f"{quantity.name}_{ring}", quantity.unit) for quantity, _ in values for ring in RINGS]
+    columns = [column for _, rows in values for column in rows.T]
     cells = zip(_numbers(solution), _row_numbers(solution), solution.angle, *columns, strict=True)
     return csv_text(["roller", "row", "angle [rad]", *heads], map(plain, cells))
 

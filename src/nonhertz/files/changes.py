@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import tomllib
 from collections.abc import Mapping, Sequence
+from itertools import chain, starmap
 from typing import Any
 
-from nonhertz.errors import CaseError, InputError, UnknownKeyError
+from nonhertz.errors import CaseError, InputError
+from nonhertz.files.mistakes import describe_mistake
 from nonhertz.files.toml import to_toml
 from nonhertz.inputs.fields import Input
 from nonhertz.inputs.files import printable_name
@@ -77,18 +79,15 @@ def apply_changes(
 
     whole, mistakes, known = document, [], list_parameters(document, kind)
     named = (known[path] for path, value in changes.items() if path in known and value is not None)
-    changes = {other: None for target in named for other in target.replaced_in(document)} | dict(changes)
+    changes = dict.fromkeys(chain.from_iterable(target.replaced_in(document) for target in named)) | dict(changes)
     for path, value in drop_before_parameters(changes):
         try:
-            target = find_parameter(path, list_parameters(whole, kind))
+            whole = find_parameter(path, list_parameters(whole, kind)).put(whole, value)
         except InputError as error:
-            sentence = f"{error.field} must {error.condition}: {error.remedy}."
-            mistakes.append((str(error) if isinstance(error, UnknownKeyError) else sentence, error.field))
-        else:
-            whole = target.removed(whole) if value is None else target.put(whole, value)
+            mistakes.append((describe_mistake(error.about(error.field, None)), error.field))
     if mistakes:
         raise CaseError(*zip(*mistakes, strict=True))
-    what = ", ".join(_describe_change(*change) for change in changes.items())
+    what = ", ".join(starmap(_describe_change, changes.items()))
     try:
         return whole, f"# Set in place of what the file held: {what}\n" + to_toml(whole)
     except (TypeError, ValueError):

@@ -38,20 +38,18 @@ def update_toml(document: dict[str, Any], text: str) -> str:
 
 def _write_into(table: Any, values: Mapping[str, Any], *, within: bool = False) -> None:
     """Make a table of a file hold other values; ``within`` another, what is new is written on one line."""
-    for name in [name for name in table if name not in values]:
+    for name in table.keys() - values.keys():
         del table[name]
     for name, value in values.items():
         old = table.get(name)
         if isinstance(value, dict) and isinstance(old, dict):
             _write_into(old, value, within=True)
-        elif _are_tables(value) and _are_tables(old):
+        elif all(map(_are_tables, (old, value))):
             for entry, entry_values in zip(old, value, strict=False):
                 _write_into(entry, entry_values, within=True)
-            for _ in old[len(value) :]:
-                del old[-1]
-            for entry_values in value[len(old) :]:
-                old.append(entry_values)
-        elif isinstance(old, bool) or isinstance(value, bool) or old != value:
+            del old[len(value) :]
+            old.extend(value[len(old) :])
+        elif bool in (type(old), type(value)) or old != value:
             table[name] = _on_one_line(value) if within else value
 
 

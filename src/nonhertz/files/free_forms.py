@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 FEWEST_KNOTS, MOST_KNOTS, USUAL_KNOTS = 2, 20, 8
 _FREE = re.compile(r"\s*free\s*\(([^()]*)\)\s*")
 _BOUND = re.compile(r"\s*(slope|radius)\s+(.*)")
+_UNITS = {"slope": "rad", "radius": "mm"}
 _REMEDY = "write free(60 um, 8), say, or free(60 um, 8, slope 5 mrad, radius 200 mm)"
 
 
@@ -153,7 +154,7 @@ def parse_free_form(field: str, value: Any) -> FreeForm | None:
         bound = _BOUND.fullmatch(text)
         if bound is None or bound[1] in bounds:
             raise InputError(field, value, "hold a slope and a radius at most once after its knots", _REMEDY)
-        bounds[bound[1]] = parse_number(field, bound[2], "rad" if bound[1] == "slope" else "mm")
+        bounds[bound[1]] = parse_number(field, bound[2], _UNITS[bound[1]])
         if not 0.0 < bounds[bound[1]] < math.inf:
             raise InputError(field, value, f"have a {bound[1]} above zero", _REMEDY)
     number = whole(field, knots, FEWEST_KNOTS, MOST_KNOTS, "give the number of knots")  # type: ignore[arg-type]

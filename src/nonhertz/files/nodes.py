@@ -130,16 +130,15 @@ def as_object(solution: Solution, loads: NodalLoads, title: str) -> dict[str, An
 
 def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
     """Return the position of a column, and the factor of its unit to mm."""
-    matches = [_HEADED.fullmatch(cell) for cell in head]
-    names = ["" if match is None else match["name"].lower() for match in matches]
+    heads = [match.group("name", "unit") if match else ("", None) for match in map(_HEADED.fullmatch, head)]
+    names = [name_.lower() for name_, _ in heads]
     if names.count(name) != 1:
         alike = nearest(name, [name_ for name_ in names if name_])
         shown = ", ".join(repr(name_) for name_ in names[:6])
         condition = f"have one column {name} in its head, which has {shown}"
         raise InputError("path", str(path), condition, f"rename '{alike}'" if alike and alike != name else _EXAMPLE)
     position = names.index(name)
-    match = matches[position]
-    unit = None if match is None else match["unit"]
+    unit = heads[position][1]
     return position, float(to_unit(f"unit of {name}", f"1 {unit}", "mm")) if unit else 1.0
 
 

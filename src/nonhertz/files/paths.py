@@ -61,8 +61,10 @@ class Parameter:
     def put(self, document: Mapping[str, Any], value: Any) -> dict[str, Any]:
         """Return a document with another value; tables that are missing are made.
 
-        The drop of a profile takes the place of the parameter that it determines.
+        The drop of a profile takes the place of the parameter that it determines; None takes the value out.
         """
+        if value is None:
+            return self.removed(document)
         if self.keys[-1] == "drop":
             siblings = self._by_drop(document)
             if siblings and all(sibling.value_in(document) is not None for sibling in siblings):
@@ -172,12 +174,12 @@ def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Para
     """Yield all that a value, one of these tables, holds or could hold."""
     if any(table.kinds for table in tables):
         yield Parameter("", (*keys, "kind"), None)
-    # Of a drop it depends on the kind of profile which parameter it determines.
-    pairs = [pair for table in tables for pair in table.pairs if "drop" not in pair]
-    for name, key in {name: key for table in tables for name, key in table.keys.items()}.items():
+    for name, key in dict(chain.from_iterable(table.keys.items() for table in tables)).items():
         leaf = None if key.several or name in _NAMES else _leaf(key.description)
         if leaf is not None:
-            others = tuple(other for pair in pairs if name in pair for other in pair if other != name)
+            # Which parameter a drop determines depends on the kind of profile.
+            pairs = [{*pair} for table in tables for pair in table.pairs if {name} < {*pair} - {"drop"}]
+            others = tuple(set().union(*pairs) - {name})
             yield Parameter("", (*keys, name), *leaf, others)
         yield from _within(_entry(value, name), key, (*keys, name))
 

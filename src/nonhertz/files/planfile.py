@@ -23,7 +23,8 @@ from nonhertz.files.plan_document import PlanDocument
 from nonhertz.files.reading import read_input
 from nonhertz.files.sampling import Sampling
 from nonhertz.files.spreads import Distribution, Spread, parse_spread
-from nonhertz.files.toml import file_kind, is_plan, load_document, name_file_in_errors, starting_text
+from nonhertz.files.starting import starting_text
+from nonhertz.files.toml import file_kind, is_plan, load_document, name_file_in_errors
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.checks import check_list, is_number, one_of
 from nonhertz.inputs.files import printable_name, relative_path
@@ -139,7 +140,7 @@ class Plan(Document):
     Examples
     --------
     >>> import tempfile
-    >>> from nonhertz.files.casefile import starting_case
+    >>> from nonhertz.files.starting import starting_case
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder, "case.toml")
     ...     _ = path.write_text(starting_case())
@@ -162,10 +163,11 @@ class Plan(Document):
         if not isinstance(self.case, Case | BearingCase):
             remedy = "read one with nonhertz.read_case or nonhertz.read_bearing"
             raise InputError("case", self.case, "be a case or a bearing case", remedy)
-        if not isinstance(self.over, Mapping) or not all(isinstance(path, str) for path in self.over):
-            raise InputError("over", self.over, "be a dictionary", "map paths to what they run over")
-        if not isinstance(self.limits, Mapping) or not all(isinstance(name, str) for name in self.limits):
-            raise InputError("limits", self.limits, "be a dictionary", "map quantities to 'at most 3800 MPa', say")
+        remedies = {"over": "map paths to what they run over", "limits": "map quantities to 'at most 3800 MPa', say"}
+        for name, remedy in remedies.items():
+            mapping = getattr(self, name)
+            if not isinstance(mapping, Mapping) or not all(isinstance(key, str) for key in mapping):
+                raise InputError(name, mapping, "be a dictionary", remedy)
         remedy = "give a list of names, such as ['max_pressure']"
         names = tuple(check_list("quantities", self.quantities, "be names", remedy))
         if not all(isinstance(name, str) for name in names):
@@ -359,10 +361,13 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
         return text
     template = Template(case.document, case.path, isinstance(case, BearingCase))
     numbers = dict(_list_numbers(template))
-    load = next(path for path in (*_LOADS, *numbers) if path in numbers)
+    load = next(filter(numbers.__contains__, (*_LOADS, *numbers)))
     diameter = next((path for path in numbers if path.endswith(".diameter")), "")
     profile = next((path for path in numbers if ".profile" in path and template.known[path].unit == "mm"), "")
-    turned = not template.is_bearing and "moment" not in case.prescribed.keywords
+    loaded, turned = (
+        "load" in case.prescribed.keywords,
+        not any((template.is_bearing, "moment" in case.prescribed.keywords)),
+    )
     name = relative_path(folder, case.path).as_posix()
     around_load = _range_around(template, load, numbers[load], 0.25, 2.0)
     # What stands in place of a line of the text, up to its comment; None for nothing.
@@ -374,28 +379,40 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
         if diameter
         else f'"{load}" = "uniform({around_load.replace(" :", ",")})"',
     }
-    if "load" in case.prescribed.keywords:
-        half, whole = (f'"{of_dimension((part * numbers[load],), "N"):g}"' for part in (0.5, 1.0))
-        own["loads"] = f'loads = [{{ load = {half} }}, {{ load = {whole}, tilt = "0.5 mrad" }}]'
+    if loaded:
+        half, whole = _range_around(template, load, numbers[load], 0.5, 1.0).split(" : ")
+        own["loads"] = f'loads = [{{ load = "{half}" }}, {{ load = "{whole}", tilt = "0.5 mrad" }}]'
     if profile:
-        bounds = _range_around(template, profile, numbers[profile], 0.2, 4.0)
-        try:
-            Plan(case).read_spread(profile, f"{bounds} : 2")
-        except InputError:  # such as a barrel, whose radius is nearly that of its ring
-            bounds = _range_around(template, profile, numbers[profile], 0.8, 1.2)
+        bounds = _widest_range(Plan(case), profile, numbers[profile])
         own['"body.a.profile.amplitude"'] = f'"{profile}" = "{bounds}"'
-    own |= {} if turned else {'"load.tilt"': None}
-    lines = []
+    if not turned:
+        own['"load.tilt"'] = None
+    if not all((profile, turned, loaded)):
+        text = text.partition(_DESIGN)[0]
+    return _replace_lines(text, own).rstrip() + "\n"
+
+
+def _replace_lines(text: str, lines: Mapping[str, str | None]) -> str:
+    """Return a text of TOML with other lines, by key, and their comments beside them; None takes a line out."""
+    whole = []
     for line in text.splitlines():
         written, _, comment = line.partition("#")
         key = written.partition(" = ")[0]
-        replaced = own.get(key, line)
-        if key in own and replaced is not None and comment:
-            replaced = f"{replaced:<45} #{comment.partition('; here')[0]}"
-        lines += [] if replaced is None else [replaced]
-    whole = "\n".join(lines)
-    designed = bool(profile) and turned and "load" in case.prescribed.keywords
-    return (whole if designed else whole.partition(_DESIGN)[0]).rstrip() + "\n"
+        replaced = lines.get(key, line)
+        if replaced is not None:
+            beside = key in lines and comment
+            whole.append(f"{replaced:<45} #{comment.partition('; here')[0]}" if beside else replaced)
+    return "\n".join(whole)
+
+
+def _widest_range(plan: Plan, path: str, value: float) -> str:
+    """Return a range around a number that the case allows."""
+    bounds = _range_around(plan.template, path, value, 0.2, 4.0)
+    try:
+        plan.read_spread(path, f"{bounds} : 2")
+    except InputError:  # such as a barrel, whose radius is nearly that of its ring
+        return _range_around(plan.template, path, value, 0.8, 1.2)
+    return bounds
 
 
 def _list_numbers(template: Template) -> Iterator[tuple[str, float]]:

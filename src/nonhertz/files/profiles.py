@@ -314,8 +314,7 @@ class _ProfileReader(TableReader):
         if measured and any(place_of(mistake.field)[0] not in Moves.descriptions for mistake in self.mistakes):
             return None
         try:
-            made = MeasuredProfile(**self.own) if measured else PointsFile(**self.own)
-            return made.profile(self.file.folder)
+            return {KIND: MeasuredProfile}.get(self.kind, PointsFile)(**self.own).profile(self.file.folder)
         except InputError as error:
             if error.field in self.fields:
                 raise

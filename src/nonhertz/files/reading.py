@@ -53,7 +53,7 @@ class ReadContext:
 
     folder: Path | None = None
     radius: Any = None
-    read_profile: Callable[[Any, Mapping[str, Any], ReadContext], Profile] | None = None
+    read_profile: Callable[[Any, Mapping[str, Any], ReadContext], Profile] = lambda written, *_: written
 
 
 def read_input(
@@ -126,19 +126,19 @@ class TableReader:
     ) -> None:
         self.cls, self.table, self.file, self.place, self.likely = cls, table, file, place, likely
         self.values = {name: value for name, value in beside.items() if value is not None}
-        self.wrong = {name for name, value in beside.items() if value is None}
+        self.wrong = beside.keys() - self.values.keys()
         self.mistakes: list[InputError] = []
         every = {name: kind for kind in (*cls.kinds.values(), cls) for name in kind.descriptions}
         keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
-        strange = [name for name in table if name not in keys]
+        strange = {name: nearest(name, keys) for name in table if name not in keys}
         self.mistakes += (unknown_key_error(path_of((name,)), table[name], keys) for name in strange)
         # Someone who writes "lenght" has not forgotten the length.
-        self.wrong |= {match for name in strange if (match := nearest(name, keys))}
+        self.wrong |= {*strange.values()} - {""}
         self.named = self._choose_class()
         #: Its fields, each with a class that has it.
         self.fields = every if self.named is None else dict.fromkeys(self.named.descriptions, self.named)
-        foreign = [name for name in table if name in every and name not in self.fields]
-        self.mistakes += map(self._foreign_field_error, foreign)
+        foreign = every.keys() - self.fields.keys()
+        self.mistakes += (self._foreign_field_error(name) for name in table if name in foreign)
 
     def build(self) -> Input:
         """Return the input.
@@ -149,11 +149,12 @@ class TableReader:
             With all mistakes.
         """
         self.read_fields()
-        word = self.table.get("kind")
-        is_named = "kind" in self.table and bool(self.cls.kinds)
-        made = self.named if is_named or self.named is None else (self.likely or self.cls.likely)(self.values)
-        # Of an unknown kind there is no telling what goes together.
-        if made is not None and (not is_named or (isinstance(word, str) and word in self.cls.kinds)):
+        made = self.named
+        if made is not None:
+            # Which fields go together is not known if the kind is unknown.
+            is_named, likely = "kind" in self.table and self.cls.kinds, self.likely or self.cls.likely
+            made = self._class_of_word if is_named else likely(self.values)
+        if made is not None:
             self.run_cross_checks(made)
         if self.mistakes or self.wrong or made is None:
             raise InputsError(self.mistakes)
@@ -189,15 +190,17 @@ class TableReader:
     def read_value(self, name: str, written: Any) -> Any:
         """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
         description, inner = self._description(name), self.fields[name].inputs.get(name)
-        if isinstance(description, Several) and description.of is not None:
-            return self._read_several(name, description, description.of, written)
-        if self.file.read_profile is not None and getattr(description, "of", None) is Profile:
-            body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
-            return self.file.read_profile(written, body, self.file)
-        if isinstance(description, Part) and description.named and not isinstance(written, dict | str):
-            raise InputError("", written, "be a name or a table", description.remedy)
-        part = isinstance(description, Part) and not (description.named and isinstance(written, str))
-        if inner and (isinstance(written, dict) or part):
+        match description, written:
+            case Several(of=type() as of), _:
+                return self._read_several(name, description, of, written)
+            case Part(of=of), _ if of is Profile:
+                body = {other: self.values.get(other) for other in self.fields if other not in self.wrong}
+                return self.file.read_profile(written, body, self.file)
+            case Part(named=named), str() if named:
+                return written
+            case Part(named=named), _ if named and not isinstance(written, dict):
+                raise InputError("", written, "be a name or a table", description.remedy)
+        if inner and (isinstance(written, dict) or isinstance(description, Part)):
             return read_input(inner, written, self.file, (*self.place, name), getattr(description, "likely", None))
         return written
 
@@ -254,11 +257,16 @@ class TableReader:
             if usual is None and "kind" not in self.wrong:
                 self.mistakes.append(missing_key_error("kind", f"give {self.cls.meaning_of_kind}"))
             return usual
+        if self._class_of_word is None:
+            word, noun = self.table["kind"], f"kind of {self._noun}"
+            self.mistakes.append(unknown_word_error("kind", word, noun, self.cls.kinds))
+        return self._class_of_word or usual
+
+    @property
+    def _class_of_word(self) -> type[Input] | None:
+        """The class that the word of its kind stands for; None if there is none."""
         word = self.table["kind"]
-        if isinstance(word, str) and word in self.cls.kinds:
-            return self.cls.kinds[word]
-        self.mistakes.append(unknown_word_error("kind", word, f"kind of {self._noun}", self.cls.kinds))
-        return usual
+        return self.cls.kinds.get(word) if isinstance(word, str) else None
 
     def _foreign_field_error(self, name: str) -> InputError:
         """Return the error for a field that other kinds have."""

@@ -256,19 +256,18 @@ def plain(value: Any) -> Any:
     >>> plain(np.array([1.0, np.inf])), plain({"load": 1.5, "kind": "finite", "strips": 3})
     ([1.0, None], {'load': 1.5, 'kind': 'finite', 'strips': 3})
     """
-    if isinstance(value, np.generic):
-        value = value.item()
-    if value is None or isinstance(value, str | int):
-        return value
-    if isinstance(value, Finding):
-        return str(value)
-    if isinstance(value, Mapping):
-        return {name: plain(entry) for name, entry in value.items()}
-    if isinstance(value, np.ndarray):
-        # Far faster, and most are finite.
-        return value.tolist() if value.dtype.kind == "f" and np.isfinite(value).all() else plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [plain(entry) for entry in value]
+    match value:
+        case None | str() | int():
+            return value
+        case Finding():
+            return str(value)
+        case Mapping():
+            return {name: plain(entry) for name, entry in value.items()}
+        case np.ndarray() | np.generic():
+            # Far faster, and most are finite.
+            return value.tolist() if value.dtype.kind == "f" and np.isfinite(value).all() else plain(value.tolist())
+        case list() | tuple():
+            return list(map(plain, value))
     number = float(value)
     return number if math.isfinite(number) else None
 

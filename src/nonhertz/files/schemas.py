@@ -55,7 +55,9 @@ def _of_file(cls: Any) -> Schema:
 
 
 def _of_table(table: Table, tables: dict[str, Schema]) -> Schema:
-    """Return the reference to the JSON schema of a table, which is put into ``tables``."""
+    """Return the reference to the JSON schema of a table, which is put into ``tables``; that of a profile itself."""
+    if not table.name:
+        return _of_profile(table)
     if table.name not in tables:
         tables[table.name] = {}  # so that it may refer to itself
         word = {"kind": {"enum": list(table.kinds), "description": table.meaning_of_kind}} if table.kinds else {}
@@ -79,17 +81,16 @@ def _of_profile(table: Table) -> Schema:
 def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
     """Return the JSON schema of what a key holds."""
     description, usual = key.description, key.usual
-    inner = [_of_table(one, tables) if one.name else _of_profile(one) for one in key.tables]
+    named = getattr(description, "named", {})
+    inner = [_of_table(one, tables) for one in key.tables]
     if isinstance(description, Several) and inner:
         schema = description.schema() | {"items": inner[0]}
     elif key.several:
         schema = {"anyOf": [{"anyOf": inner}, {"type": "array", "items": {"anyOf": inner}}]}
-    elif isinstance(description, Part) and not description.named:
-        schema = inner[0]
     else:
-        schema = {"anyOf": [description.schema(), *inner]} if inner else description.schema()
-    if isinstance(description, Part) and description.named:
-        usual = next((word for word, known in description.named.items() if known == usual), usual)
+        own = [] if isinstance(description, Part) and not named else [description.schema()]
+        schema = _any_of([*own, *inner])
+    usual = next((word for word, known in named.items() if known == usual), usual)
     # TOML has neither null nor, to all programs, infinity.
     plain = isinstance(usual, str | int | float) and usual != math.inf
     return schema | {"description": describe_field(description)} | ({"default": usual} if plain else {})
@@ -129,6 +130,10 @@ KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "plan": partial(_of_file, PlanDocument),
     **{kind: partial(_of_result, *result) for kind, result in RESULTS.items()},
 }
+
+
+def _any_of(schemas: list[Schema]) -> Schema:
+    return schemas[0] if len(schemas) == 1 else {"anyOf": schemas}
 
 
 def _table(properties: Schema, description: str) -> Schema:

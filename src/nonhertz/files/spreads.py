@@ -179,14 +179,7 @@ def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) 
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, str):
-        bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(value) or _DEVIATIONS.fullmatch(value))
-        called = _CALL.fullmatch(f"uniform({value})" if bare and "(" not in value else value)
-        if called is not None:
-            return _parse_distribution(parameter, value, called, document)
-        if ":" in value and parameter.unit is not None:
-            return _parse_steps(parameter, value)
-        # Of words a text is always a list; none of theirs has a comma.
-        return tuple(_parse_value(parameter, word.strip(), bare=True) for word in value.split(","))
+        return _parse_text(parameter, value, document)
     if not isinstance(value, list | tuple) or not value:
         remedy = "write a list, a range such as '0 : 40 kN : 41', or a distribution such as 'normal(80 mm, 5 um)'"
         raise InputError(parameter.path, value, "hold values", remedy)
@@ -194,6 +187,21 @@ def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) 
         remedy = "write fewer, or a distribution to draw from"
         raise InputError(parameter.path, f"{len(value)} values", f"have {MOST_VALUES} values at most", remedy)
     return tuple(_parse_entry(parameter, entry) for entry in value)
+
+
+def _parse_text(parameter: Parameter, text: str, document: Mapping[str, Any]) -> Spread:
+    """Return the distribution, the steps or the list of values that a text stands for."""
+    bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(text) or _DEVIATIONS.fullmatch(text))
+    called = _CALL.fullmatch(f"uniform({text})" if bare and "(" not in text else text)
+    if called is not None:
+        return _parse_distribution(parameter, text, called, document)
+    words = list(map(str.strip, text.split(",")))
+    if parameter.unit is None:
+        # A text of words is always a list; none of them has a comma.
+        return tuple({"true": True, "false": False}.get(word, word) for word in words)
+    if ":" in text:
+        return _parse_steps(parameter, text)
+    return tuple(_parse_value(parameter, word, bare=True) for word in words)
 
 
 def parse_bounds(parameter: Parameter, value: Any) -> tuple[float, float]:
@@ -299,13 +307,16 @@ def _parse_value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
 
     ``bare`` is a text without quotes of its own.
     """
-    if isinstance(written, str) and (parameter.unit is None or not begins_with_digits(written)):
-        return {"true": True, "false": False}.get(written, written) if bare and parameter.unit is None else written
     if isinstance(written, bool):
         return written
+    is_text = isinstance(written, str)
     if parameter.unit is None:
-        raise InputError(parameter.path, written, "be a word, or true or false", "give the path of a single value")
-    value = (parse_number if bare and isinstance(written, str) else to_unit)(parameter.path, written, parameter.unit)
+        if not is_text:
+            raise InputError(parameter.path, written, "be a word, or true or false", "give the path of a single value")
+        return written
+    if is_text and not begins_with_digits(written):
+        return written
+    value = (parse_number if bare and is_text else to_unit)(parameter.path, written, parameter.unit)
     finite(parameter.path, value, "give a number")
     return int(value) if parameter.whole and value == int(value) else value
 

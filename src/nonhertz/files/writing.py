@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
+from itertools import chain
 from typing import Any
 
 from nonhertz.errors import InputError
@@ -38,13 +39,13 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
         return {
             key: document_of(entry, name=key, defaults=defaults) for key, entry in value.items() if entry is not None
         }
-    if isinstance(value, str | bool | int | float):
-        return int(value) if type(value) is int else float(value) if isinstance(value, float) else value
+    if isinstance(value, str | int):
+        return value
     if hasattr(value, "__iter__"):
         return [document_of(entry, name=name, defaults=defaults) for entry in value]
     if hasattr(value, "__float__"):
         return float(value)
-    table = " or a table" if "diameter" in name or name == "bore" else ""
+    table = " or a table" if name.endswith(("diameter", "bore")) else ""
     raise InputError(name, value, f"be a number{table} to go into a file", "tabulate it, or use it in Python alone")
 
 
@@ -69,19 +70,17 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
     InputError
         If it is of a user-defined class.
     """
-    entry = profile.catalogue_entry
-    if entry is not None:
-        kind, parameters = entry
-        table = {"kind": kind} | {name: document_of(parameter) for name, parameter in parameters.items()}
-        return [] if kind == "straight" else [table]
     if isinstance(profile, Straight):
         return []
+    if profile.catalogue_entry is not None:
+        kind, parameters = profile.catalogue_entry
+        return [{"kind": kind} | {name: document_of(parameter) for name, parameter in parameters.items()}]
     if isinstance(profile, Sum):
-        return [table for part in profile.parts for table in profile_tables(part)]
+        return list(chain.from_iterable(map(profile_tables, profile.parts)))
     if isinstance(profile, Transformed):
         moves: dict[str, Any] = {"scale": profile.scale, "shift": profile.shift, "flip": profile.flip}
         if isinstance(profile.profile, Sum):
-            return [table for part in profile.profile.parts for table in profile_tables(part.moved(**moves))]
+            return profile_tables(Sum(tuple(part.moved(**moves) for part in profile.profile.parts)))
         usual = {"scale": 1.0, "shift": 0.0, "flip": False}
         changed = {name: value for name, value in moves.items() if value != usual[name]}
         return [table | changed for table in profile_tables(profile.profile)]
