@@ -116,6 +116,9 @@ def _report_end(error: BaseException) -> int:
 
 
 def _describe_end(error: BaseException) -> tuple[int, list[str]]:
+    what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")
+    report, place = "please report it together with your case file", "NONHERTZ_DEBUG=1 shows where it happened"
+    verdict = INTERNAL, [f"This is an error in nonhertz ({what}); {report}; {place}."]
     match error:
         case CaseError(mistakes=[_, _, *_]):
             verdict = BAD_INPUT, [f"{i}. {mistake}" for i, mistake in enumerate(error.mistakes, start=1)]
@@ -138,11 +141,6 @@ def _describe_end(error: BaseException) -> tuple[int, list[str]]:
             extra = _EXTRAS[package]
             hint = f"pip install {package.replace('_', '-')}, or pip install '.[{extra}]' in the folder of nonhertz"
             verdict = BAD_INPUT, [f"The package {package} is not installed, which {_NEEDS[extra]} needs: {hint}"]
-        case _:
-            what = f"{type(error).__name__}: {error}".replace("\n", " ").rstrip(".")
-            report = "please report it together with your case file"
-            place = "NONHERTZ_DEBUG=1 shows where it happened"
-            verdict = INTERNAL, [f"This is an error in nonhertz ({what}); {report}; {place}."]
     return verdict
 
 

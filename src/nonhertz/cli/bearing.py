@@ -13,13 +13,13 @@ from nonhertz.cli.options import (
     AsJson,
     Changes,
     Workers,
+    refuse_together,
     refuse_unwritable_out,
     rename_fields,
     save_result,
     write_outputs,
 )
 from nonhertz.errors import InputError, without_accuracy_warnings
-from nonhertz.files.bearing_document import with_file_path
 from nonhertz.files.bearing_results import comparison_files, comparison_object
 from nonhertz.files.bearingfile import BearingCase, read_bearing
 from nonhertz.files.resultfile import Result
@@ -63,18 +63,14 @@ def bearing(
         File in REXS 1.4 for the bearing with its results: XML, if it ends with .rexs or .rexs.xml, or JSON, .rexsj or
         .rexs.json.
     """
-    chosen = [
-        (name, value) for name, value in (("--compare", compare), ("--contact", contact), ("--over", over)) if value
-    ]
-    if len(chosen) > 1:
-        raise InputError(*chosen[1], f"not be given with {chosen[0][0]}", "give one of them")
+    answers = {"--compare": compare, "--contact": contact, "--over": over}
+    refuse_together(answers, "give one of them")
     if rexs is not None:
         from nonhertz.files.rexs.writing import form_of, write_rexs  # loaded for it alone
 
         with rename_fields(path="--rexs"):
             form_of(rexs)
-        if chosen:
-            raise InputError("--rexs", str(rexs), f"not be given with {chosen[0][0]}", "leave one out")
+        refuse_together(answers | {"--rexs": str(rexs)}, "leave one out")
     if contact is not None and (as_json or out is not None):
         remedy = "send the case file that it prints to a file with >"
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
@@ -96,13 +92,10 @@ def bearing(
         try:
             alone = case.contact_case(solution, number - 1, ring)
         except InputError as error:
-            raise error.about("--contact", number if error.field == "roller" else ring) from None
+            raise error.about("--contact", {"roller": number}.get(error.field, ring)) from None
         print(alone.text, end="")
         return None
-    try:
-        life, reason = case.rated(solution)
-    except InputError as error:  # of a contact, when its pressure is solved
-        raise with_file_path(error, case.document) from None
+    life, reason = case.rated(solution)
     result = Result(case, solution, (life, reason))
     judged = solution, life, case.operating_clearance
     shown = sections(case, solution, life, reason)

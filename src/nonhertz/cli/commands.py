@@ -142,18 +142,22 @@ def run(words: Sequence[str]) -> int:
         with _plain_warnings():
             # In a context of its own, which ends with the units that the command has chosen.
             return contextvars.copy_context().run(_run, repeat_set_option(words))
-    except UnusedCliTokensError as error:
-        unused = ", ".join(repr(word) for word in error.unused_tokens or ())
-        print(f"This command takes no {unused}; see {_help_on(words)}.", file=sys.stderr)
     except CycloptsError as error:
-        sentence, _, _ = " ".join(str(error).split()).partition(" Available commands: ")  # which help lists
-        if words and words[0].endswith(".toml"):
-            sentence = f"A command comes first, such as 'nonhertz solve {words[0]}'"
-        elif isinstance(error, MissingArgumentError) and error.argument and error.argument.index is not None:
-            sentence = _explain_missing(error.argument.name, words)
+        sentence = _explain(error, words)
         lead = f"{sentence} See" if sentence.endswith("?") else f"{sentence.rstrip('.')}; see"
         print(f"{lead} {_help_on(words)}.", file=sys.stderr)
     return BAD_INPUT
+
+
+def _explain(error: CycloptsError, words: Sequence[str]) -> str:
+    """Return what is wrong with the words of a command line."""
+    if isinstance(error, UnusedCliTokensError):
+        return f"This command takes no {', '.join(map(repr, error.unused_tokens or ()))}"
+    if words and words[0].endswith(".toml"):
+        return f"A command comes first, such as 'nonhertz solve {words[0]}'"
+    if isinstance(error, MissingArgumentError) and error.argument and error.argument.index is not None:
+        return _explain_missing(error.argument.name, words)
+    return " ".join(str(error).split()).partition(" Available commands: ")[0]  # which help lists
 
 
 def _explain_missing(name: str, words: Sequence[str]) -> str:

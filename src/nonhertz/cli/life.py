@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Mapping, Sequence
+from itertools import filterfalse
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -54,9 +55,9 @@ def life(
     out : Path
         Directory for life.json, tables and the figure; created if it does not exist.
     """
-    for name in model:
-        if name not in MODELS:
-            raise InputError("--model", name, "be a fatigue model", f"choose from {', '.join(MODELS)}")
+    unknown = next(filterfalse(MODELS.__contains__, model), None)
+    if unknown is not None:
+        raise InputError("--model", unknown, "be a fatigue model", f"choose from {', '.join(MODELS)}")
     cases = [read_case(case, changes)]
     if compared is not None:
         with name_file_in_errors(compared):
@@ -73,9 +74,9 @@ def life(
                     sentence = f"{life_case.path}: {error}" if assessments else str(error)
                     raise ConvergenceError(sentence, error.solution) from None
                 assessments.append(assess_lives(life_case, spectrum, models, notes, progress.announce))
-    first, other = assessments[0], assessments[1] if len(assessments) > 1 else None
-    names = (f"in {printable_name(str(life_case.path))}" for life_case in cases)
-    verdicts = dict(zip(names, (assessment.verdict for assessment in assessments), strict=True))
+    first, other = assessments[0], (*assessments, None)[1]
+    pairs = zip(cases, assessments, strict=True)
+    verdicts = {f"in {printable_name(str(solved.path))}": assessment.verdict for solved, assessment in pairs}
     made = write_outputs(out, lambda: files(first, other), lambda: _draw_figures(first, other))
     shown = [*_list_sections([life_case.path for life_case in cases], first, other), assumed_section(cases[0].assumed)]
     return Answer(

@@ -68,13 +68,7 @@ def contact_map(
     ((name, word),) = pressing.items()
     low, high, rows = parse_range(_OPTIONS[name], word, *_EXAMPLES[name])
     pressed: dict[str, Any] = {name: (low, high)}
-    turned: float | tuple[float, float] = read.prescribed.tilt or 0.0
-    tilts: int | None = 1
-    if tilt is not None and ":" in tilt:
-        *ends, tilts = parse_range("--tilt", tilt, "rad", "-2mrad:2mrad")
-        turned = ends[0], ends[1]
-    elif tilt is not None:
-        turned = parse_number("--tilt", tilt, "rad")
+    turned, tilts = _parse_tilt(tilt, read.prescribed.tilt)
     refuse_unwritable_out(out, file=True)
     with rename_fields(**_OPTIONS), Progress(None) as progress, without_accuracy_warnings():
         fitted_map = map_of(
@@ -82,9 +76,19 @@ def contact_map(
             callback=progress.announce,
         )  # fmt: skip
     made: tuple[Path, ...] = ()
-    if out is not None and out.suffix.lower() == ".csv":
-        made = write_files(out.parent, {out.name: fitted_map.csv(fitted_map.grid(rows or ROWS, tilts or TILTS))})
-    elif out is not None:
-        made = write_files(out.parent, {}, lambda folder: fitted_map.save(folder / out.name))
+    if out is not None:
+        is_table = out.suffix.lower() == ".csv"
+        texts = {out.name: fitted_map.csv(fitted_map.grid(rows or ROWS, tilts))} if is_table else {}
+        made = write_files(out.parent, texts, None if is_table else lambda folder: fitted_map.save(folder / out.name))
     shown, text = sections(fitted_map), lambda: json.dumps(as_object(fitted_map, read.title), indent=2)
     return Answer(read.title, shown, text, warnings=fitted_map.findings, written=made)
+
+
+def _parse_tilt(text: str | None, usual: float | None) -> tuple[float | tuple[float, float], int]:
+    """Return a range of tilts, or a single tilt, and how many of them a table has."""
+    if text is None:
+        return usual or 0.0, 1
+    if ":" not in text:
+        return parse_number("--tilt", text, "rad"), 1
+    low, high, count = parse_range("--tilt", text, "rad", "-2mrad:2mrad")
+    return (low, high), count or TILTS

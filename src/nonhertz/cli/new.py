@@ -8,13 +8,15 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from nonhertz.cli.options import Words, rename_fields, split_assignment
+from nonhertz.cli.options import Words, rename_fields, split_assignments
 from nonhertz.errors import InputError
 from nonhertz.files.catalogue import guess_of_catalogue, text_of_guess
 from nonhertz.files.geometries import bearing_of_designation
 from nonhertz.files.planfile import read_any, starting_plan
 from nonhertz.files.starting import starting_bearing, starting_case
 from nonhertz.files.toml import write_new
+
+_OPTIONS = {name: f"--{name}" for name in ("template", "component", "rexs", "catalogue", "designation", "geometries")}
 
 
 def new(
@@ -61,23 +63,20 @@ def new(
         With --rexs, the number of the bearing in a model of several.
     """
     sources = {
-        "--template": template, "--catalogue": " ".join(catalogue) or None, "--designation": designation,
+        "--template": template, "--catalogue": " ".join(catalogue), "--designation": designation,
         "--rexs": None if rexs is None else str(rexs),
     }  # fmt: skip
-    _refuse_together({name: value for name, value in sources.items() if value is not None}, bearing, plan)
+    _refuse_together(sources, bearing, plan)
     _refuse_alone("--case", case, "--plan", plan)
     _refuse_alone("--component", component, "--rexs", rexs is not None)
     _refuse_alone("--geometries", geometries, "--designation", designation is not None)
-    file = (Path() if path is None else path.parent) / "case.toml" if case is None else case
-    fields = ("template", "component", "rexs", "catalogue", "designation", "geometries")
-    with rename_fields(**{name: f"--{name}" for name in fields}):
+    with rename_fields(**_OPTIONS):
         if rexs is not None:
             from nonhertz.files.rexs import bearing_file_of_rexs  # loaded for it alone
 
             text = bearing_file_of_rexs(rexs, component)
         elif catalogue:
-            data = dict(split_assignment(word, "d=30", "--catalogue") for word in catalogue)
-            text = text_of_guess(guess_of_catalogue(data))
+            text = text_of_guess(guess_of_catalogue(split_assignments(catalogue, "d=30", "--catalogue")))
         elif designation is not None:
             text = bearing_of_designation(designation, geometries)
         elif bearing:
@@ -88,25 +87,26 @@ def new(
         print(text, end="")
     else:
         write_new(text, path)
-        print(f"wrote {path}{',' if plan else ';'} {_way_on(path, file, text, bearing, plan)}")
+        print(f"wrote {path}{',' if plan else ';'} {_way_on(path, case, text, bearing, plan)}")
 
 
 def _plan(path: Path | None, case: Path | None) -> str:
     return starting_plan() if case is None else starting_plan(read_any(case), Path() if path is None else path.parent)
 
 
-def _way_on(path: Path, file: Path, text: str, bearing: bool, plan: bool) -> str:
+def _way_on(path: Path, case: Path | None, text: str, bearing: bool, plan: bool) -> str:
     if not plan:
         return f"solve it with: nonhertz {'bearing' if bearing else 'solve'} {path}"
+    file = path.parent / "case.toml" if case is None else case
     first = "" if file.exists() else f"nonhertz new {file}, then "
     return f"for {file}; try it with: {first}nonhertz {'design' if '[design]' in text else 'check'} {path}"
 
 
-def _refuse_together(sources: Mapping[str, str], bearing: bool, plan: bool) -> None:
+def _refuse_together(sources: Mapping[str, str | None], bearing: bool, plan: bool) -> None:
     """Refuse options that each say what to write, where there are several, and those of bearings without one."""
     if bearing and plan:
         raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
-    (name, value), *others = (*sources.items(), ("", ""))
+    (name, value), *others = (*((name, value) for name, value in sources.items() if value), ("", ""))
     rival = "--plan" if plan else others[0][0] if len(others) > 1 else ""
     if name and rival:
         raise InputError(name, value, f"not be given with {rival}", "leave one out")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -125,6 +125,18 @@ def figure_writer(figures: Figures) -> Callable[[Path], None]:
         save_all(figures(), folder)
 
     return draw
+
+
+def refuse_together(options: Mapping[str, Any], remedy: str) -> None:
+    """Refuse the second of several options, by name, where more than one is given."""
+    first, second = [*((name, value) for name, value in options.items() if value), ("", ""), ("", "")][:2]
+    if second[0]:
+        raise InputError(*second, f"not be given with {first[0]}", remedy)
+
+
+def split_assignments(words: Iterable[str], example: str, option: str) -> dict[str, str]:
+    """Return what stands before and behind the equals signs of the words of an option; raises as `split_assignment`."""
+    return dict(split_assignment(word, example, option) for word in words)
 
 
 def split_assignment(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:

@@ -93,27 +93,25 @@ def _print_rows(console: Console, shown: Table) -> None:
     """
     heads, columns = shown.heads, shown_columns(shown)
     table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), show_header=bool(heads), header_style="dim")
-    whole = set()  # columns whose cells are not broken
+    words = {*columns} if shown.words is None else shown.words
+    folded = {1} if shown.room else words  # columns whose cells may be broken
     for at in columns:
-        words = shown.words is None or at in shown.words
-        if not (at == 1 if shown.room else words):
-            whole.add(at)
         table.add_column(
-            _keep_together(heads[at] if heads else "", at in whole),
-            justify="left" if words else "right",
+            _keep_together(heads[at] if heads else "", at not in folded),
+            justify="left" if at in words else "right",
             overflow="fold",
-            no_wrap=at in whole,
-            min_width=shown.room if at == 1 and shown.room else None,
+            no_wrap=at not in folded,
+            min_width={1: shown.room or None}.get(at),
         )
     for row in shown.rows:
-        heading = "bold" if len(row) == 1 else ""
-        cells = [(str(row[at]) if at < len(row) else "", at in whole) for at in columns]
-        table.add_row(*(_keep_together(cell, glued, _VERDICTS.get(cell, heading)) for cell, glued in cells))
+        cells, heading = [*map(str, row), *[""] * (1 + max(columns, default=0))], "bold" if len(row) == 1 else ""
+        texts = (_keep_together(cells[at], at not in folded, _VERDICTS.get(cells[at], heading)) for at in columns)
+        table.add_row(*texts)
     least = Measurement.get(console, console.options.update(width=sys.maxsize), table).minimum
     wide = Console(highlight=False, width=max(console.width, least))
     with wide.capture() as captured:
         wide.print(table)
-    print(*(line.rstrip() for line in captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
+    print(*map(str.rstrip, captured.get().replace(_GLUE, " ").splitlines()), sep="\n")
 
 
 def _keep_together(cell: str, whole: bool, style: str = "") -> Text:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from itertools import chain
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +45,7 @@ def solve(
         Directory for result.json, table.csv and the figures; created if it does not exist. Of several cases each has a
         folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
     """
-    if more or (out is not None and _is_table(out)):
+    if more or _is_table(out):
         return _solve_several((case, *more), changes, out)
     read = read_case(case, changes)
     solution, complaint = try_solve(read)
@@ -57,25 +59,26 @@ def solve(
 
 def _solve_several(paths: Sequence[Path], changes: Mapping[str, Any], out: Path | None) -> Answer:
     """Solve cases one by one and write all results; the exit code is the worst of all."""
-    workbook = out is not None and _is_table(out) and out.suffix.lower() == ".xlsx"
-    refuse_unwritable_out(out, file=out is not None and _is_table(out))
+    is_table = _is_table(out)
+    workbook = is_table and str(out).lower().endswith(".xlsx")
+    refuse_unwritable_out(out, file=is_table)
     if workbook:
         refuse_missing_writer()
     attempts = [_attempt_case(path, changes) for path in paths]
-    complaints = [(attempt.name, sentence) for attempt in attempts for sentence in attempt.complaints]
+    complaints = list(chain.from_iterable(attempt.sentences for attempt in attempts))
     return Answer(
         "", [Section("", [overview_table(attempts)])], lambda: json.dumps(objects(attempts), allow_nan=False),
         worst_verdict({f"in {attempt.name}": attempt.verdict for attempt in attempts}),
-        [f"{attempt.name}: {one}" for attempt in attempts if attempt.solution for one in attempt.solution.warnings],
+        list(chain.from_iterable(attempt.warnings for attempt in attempts)),
         () if out is None else _write_several(out, attempts, workbook),
-        [words if words.startswith(name) else f"{name}: {words}" for name, words in complaints],
-        BAD_INPUT if any(attempt.solution is None for attempt in attempts) else NOT_CONVERGED if complaints else FINE,
+        complaints,
+        BAD_INPUT if None in map(attrgetter("solution"), attempts) else NOT_CONVERGED if complaints else FINE,
     )  # fmt: skip
 
 
-def _is_table(out: Path) -> bool:
+def _is_table(out: Path | None) -> bool:
     """Return whether ``--out`` is a file for the table of cases, rather than a directory."""
-    return out.suffix.lower() in TABLES and not out.is_dir()
+    return out is not None and out.suffix.lower() in TABLES and not out.is_dir()
 
 
 def _attempt_case(path: Path, changes: Mapping[str, Any]) -> Attempt:

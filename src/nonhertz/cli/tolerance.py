@@ -16,7 +16,7 @@ from nonhertz.cli.options import (
     default_output_path,
     figure_writer,
     rename_fields,
-    split_assignment,
+    split_assignments,
 )
 from nonhertz.cli.printing import progress_bar
 from nonhertz.cli.sweep import load_plan, report_rows
@@ -71,7 +71,7 @@ def study_tolerance(
         refuse_missing_writer()
     study_plan = load_plan(plan, over, quantities, "tolerance", changes)
     directory = default_output_path(plan, "-tolerance", out)
-    bounds = dict(split_assignment(word, "max_pressure='at most 3800 MPa'", "--limits") for word in limits) or None
+    bounds = split_assignments(limits, "max_pressure='at most 3800 MPa'", "--limits") or None
     options = {"threads": "--workers", "count": "--samples", "seed": "--seed", "over": "--over"}
     with progress_bar("rows") as update, rename_fields(**options):
         study = tolerance(

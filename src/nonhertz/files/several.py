@@ -65,6 +65,16 @@ class Attempt:
         return None if self.solution is None or self.complaints else judge_contact(self.solution)
 
     @property
+    def sentences(self) -> list[str]:
+        """Its complaints, each with the name of its file."""
+        return [words if words.startswith(self.name) else f"{self.name}: {words}" for words in self.complaints]
+
+    @property
+    def warnings(self) -> list[str]:
+        """What strains the model, each with the name of its file."""
+        return [] if self.solution is None else [f"{self.name}: {warning}" for warning in self.solution.warnings]
+
+    @property
     def status(self) -> str:
         """How the solve ended, as files write it."""
         return _NOT_SOLVED if self.solution is None else self.solution.status.label
