@@ -14,7 +14,7 @@ from nonhertz.files.several import HEAD
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CROWNED = (EXAMPLES / "crowned-roller.toml").read_text(encoding="utf-8")
 FIGURES = {f"{name}.{ending}" for name in ("pressure", "footprint", "profile") for ending in ("svg", "png")}
-FIGURES |= {"pressure.csv", "profile.csv"}
+FIGURES |= {"pressure.csv", "footprint.csv", "profile.csv"}
 
 
 @pytest.fixture

@@ -79,9 +79,9 @@ def test_the_plan_to_start_from_goes_with_the_case_to_start_from(folder):
     for table in TABLES[:2]:
         assert read_plan(path, table).over == read_plan(folder / "studies" / "same.toml", table).over != {}
     case, asked = read_design(path)
-    assert read_design(folder / "studies" / "same.toml")[1]["vary"] == asked["vary"]
+    assert read_design(folder / "studies" / "same.toml")[1]["bounds"] == asked["bounds"]
     assert case.title == nh.read_case(folder / "case.toml").title
-    assert list(asked["vary"]) == ["body.a.profile.amplitude"]
+    assert list(asked["bounds"]) == ["body.a.profile.amplitude"]
 
 
 def test_the_plan_of_the_reference_is_one(tmp_path):

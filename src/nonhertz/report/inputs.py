@@ -151,7 +151,7 @@ def readable_place(place: str) -> str:
 
     Examples
     --------
-    >>> in_words("body.a.profile[1].end_radius"), in_words("shaft.outside_diameter")
+    >>> readable_place("body.a.profile[1].end_radius"), readable_place("shaft.outside_diameter")
     ('body a, profile 1, end radius', 'shaft, outside diameter')
     """
     place = re.sub(r"\[(\d+)\]", r" \1", place.replace("body.", "body "))

@@ -131,7 +131,7 @@ def css_string(text: str) -> Markup:
 
     Examples
     --------
-    >>> print(quoted('a "b" </style>'))
+    >>> print(css_string('a "b" </style>'))
     "a \22 b\22  \3c /style\3e "
     """
     from markupsafe import Markup

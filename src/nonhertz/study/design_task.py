@@ -50,14 +50,14 @@ def check_design(
         "loads": loads,
         "constraints": constraints,
         "model": model,
+        "n_starts": n_starts,
     }
-    arguments |= {"n_starts": n_starts}
     plan |= {name: value for name, value in arguments.items() if value is not None}
     template = Template(case.document, case.path, is_bearing=False)
     chosen = plan.get("goal", PRESSURE)
     one_of("goal", chosen, GOALS, "say what is to be best")
-    fatigue = plan.get("model") or lundberg_palmgren()
-    if chosen == LIFE:
+    fatigue = lundberg_palmgren() if plan.get("model") is None else plan["model"]
+    if chosen == LIFE or model is not None:
         from nonhertz.study.lives import damage
 
         damage(fatigue)  # refuses models with a limit
