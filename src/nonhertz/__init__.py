@@ -53,9 +53,9 @@ if TYPE_CHECKING:
     from nonhertz.model.body import Plate as Plate
     from nonhertz.model.body import Ring as Ring
     from nonhertz.model.body import Roller as Roller
-    from nonhertz.model.body import TabulatedDiameter as TabulatedDiameter
     from nonhertz.model.contact import Contact as Contact
     from nonhertz.model.corner import Chamfer as Chamfer
+    from nonhertz.model.diameter import TabulatedDiameter as TabulatedDiameter
     from nonhertz.model.material import Material as Material
     from nonhertz.model.materials import MATERIALS as MATERIALS
     from nonhertz.result.edges import EdgeKind as EdgeKind
@@ -109,7 +109,7 @@ _HOMES = {
     "Solution": "nonhertz.result.solution",
     "Solutions": "nonhertz.solver.solutions",
     "Status": "nonhertz.result.status",
-    "TabulatedDiameter": "nonhertz.model.body",
+    "TabulatedDiameter": "nonhertz.model.diameter",
     "ContactMap": "nonhertz.maps.value",
     "compare": "nonhertz.comparison",
     "contact_map": "nonhertz.maps.verb",

@@ -21,8 +21,8 @@ from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import not_negative, positive
 from nonhertz.inputs.descriptions import Quantity, Word
 from nonhertz.inputs.fields import cross_check, input_class
-from nonhertz.model.body import TabulatedDiameter
 from nonhertz.model.contact import Contact
+from nonhertz.model.diameter import TabulatedDiameter
 from nonhertz.model.profile import crown
 
 Array = NDArray[np.float64]

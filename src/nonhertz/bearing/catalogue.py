@@ -37,7 +37,8 @@ from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import validate_call
 from nonhertz.life.capacity import Raceway
 from nonhertz.model import profile
-from nonhertz.model.body import Body, Ring, Roller, TabulatedDiameter
+from nonhertz.model.body import Body, Ring, Roller
+from nonhertz.model.diameter import TabulatedDiameter
 from nonhertz.result.brief import plain_text
 
 

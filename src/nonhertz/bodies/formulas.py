@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.inputs.checks import LEAST
-from nonhertz.model.body import Body, TabulatedDiameter
+from nonhertz.model.body import Body
 from nonhertz.model.corner import Chamfer, Corner, Cornered, Rounded
+from nonhertz.model.diameter import TabulatedDiameter
 from nonhertz.model.profile import uniform_pressure
 from nonhertz.model.profile.base import Profile, Straight, Sum, Transformed
 from nonhertz.model.profile.circular import Arcs

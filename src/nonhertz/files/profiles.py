@@ -22,7 +22,7 @@ from nonhertz.files.reading import INVALID, ReadContext, TableReader
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.descriptions import Description, Flag, Quantity, Word, collect_errors, unknown_word_error
 from nonhertz.inputs.fields import Input, cross_check, input_class
-from nonhertz.model.body import TabulatedDiameter
+from nonhertz.model.diameter import TabulatedDiameter
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile, ProfileKind, from_file, with_drop
 from nonhertz.model.profile.base import at_ends
 from nonhertz.model.profile.drop import AT_REMEDY, off_the_middle, parameter_from_drop, scaled_to_drop

@@ -25,8 +25,9 @@ from nonhertz.life.catalogue import MODELS, SLOPE_REMEDY, Model, model, weibull_
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, LINE_LOADS, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
 from nonhertz.life.spectrum import ContactLoadCase, refuse_other_than_whole
-from nonhertz.model.body import BODIES, Body, BodyName, convex
+from nonhertz.model.body import BODIES, Body, BodyName
 from nonhertz.model.contact import Contact
+from nonhertz.model.diameter import convex
 from nonhertz.model.prescription import Prescription
 from nonhertz.patch.features import Dent
 from nonhertz.solver.one import FEWEST_STRIPS, GOALS, MOST_STRIPS, refuse_accuracy

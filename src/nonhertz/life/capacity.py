@@ -35,8 +35,9 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import not_negative, number_that, positive, whole
 from nonhertz.inputs.descriptions import Flag, Quantity, Word
 from nonhertz.inputs.fields import Input, cross_check, input_class
-from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller, TabulatedDiameter
+from nonhertz.model.body import BODIES, Body, BodyName, Plate, Ring, Roller
 from nonhertz.model.contact import Contact
+from nonhertz.model.diameter import TabulatedDiameter
 from nonhertz.model.material import is_steel
 
 MATERIAL_FACTOR = 1.1  # b_m of cylindrical and tapered roller bearings

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
-from numbers import Real
 from typing import Annotated, Any, ClassVar, Final, Literal
 
 import numpy as np
@@ -15,11 +14,19 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, shown
 from nonhertz.inputs.assumed import Assumed
-from nonhertz.inputs.checks import LEAST, finite, not_negative, numbers, positive
-from nonhertz.inputs.descriptions import Count, OneOrTwo, Part, Quantities, Quantity
+from nonhertz.inputs.checks import LEAST, finite, not_negative, positive
+from nonhertz.inputs.descriptions import Count, OneOrTwo, Part, Quantity
 from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.corner import Chamfer, Cornered, Rounded
 from nonhertz.model.depths import DEPTH_REMEDY, DEPTHS, THICKNESS, Depth, DepthRule, depth_of
+from nonhertz.model.diameter import (
+    DIAMETER_REMEDY,
+    Diameter,
+    TabulatedDiameter,
+    check_bore,
+    check_diameter,
+    convex,
+)
 from nonhertz.model.material import STEEL
 from nonhertz.model.materials import NamedMaterial
 from nonhertz.model.outline import Outline, can_be_whole, outline_of
@@ -52,73 +59,6 @@ _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it ou
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
 # What a body may say that has no side faces: the default of today, and of the paper.
 _OF_NO_FACE: Final = ("free", "mirror")
-_DIAMETER_REMEDY = "give the diameter in mm, negative for a concave surface, or leave it out for a flat one"
-
-
-@input_class()
-class TabulatedDiameter(Input):
-    """A diameter that changes along the axis, linear between points.
-
-    Examples
-    --------
-    >>> tapered = TabulatedDiameter(y=(-10.0, 10.0), diameter=(18.0, 20.0))
-    >>> float(tapered(0.0))
-    19.0
-    """
-
-    y: Annotated[tuple[float, ...], Quantities("mm", "axial positions from the middle of the body, ascending")]
-    diameter: Annotated[
-        tuple[float, ...], Quantities("mm", "diameters there, all of one sign; 0 only in a bore, where there is none")
-    ]
-
-    @cross_check("y", "diameter")
-    def _check_length(self) -> None:
-        if len(self.y) != len(self.diameter) or len(self.y) < 2:
-            raise InputError("y", self.y, "hold as many points as diameter, at least two", "give both lists")
-
-    @cross_check("y")
-    def _check_order(self) -> None:
-        if not np.all(np.diff(self.y) > 0.0):
-            raise InputError("y", self.y, "be finite and ascending", "sort the points along the axis")
-
-    @cross_check("diameter")
-    def _check_signs(self) -> None:
-        low, high = min(self.diameter, default=1.0), max(self.diameter, default=1.0)
-        if low * high < 0.0 or low == high == 0.0:
-            raise InputError("diameter", self.diameter, "be finite and of one sign", _DIAMETER_REMEDY)
-
-    def __call__(self, y: ArrayLike) -> Array:
-        """Return the diameter [mm] at ``y`` [mm]; constant beyond the outermost points."""
-        diameter: Array = np.interp(numbers("y", y, "give positions in mm"), self.y, self.diameter)
-        return diameter
-
-
-Diameter = float | TabulatedDiameter | Callable[[Array], ArrayLike] | None
-
-
-def convex(diameter: Diameter) -> bool:
-    """Return whether a diameter is positive, as far as is known before the place of contact is."""
-    if isinstance(diameter, TabulatedDiameter):
-        return max(diameter.diameter) > 0.0
-    return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
-
-
-def _diameter(name: str, value: Any, remedy: str) -> None:
-    if isinstance(value, TabulatedDiameter):
-        if 0.0 in value.diameter:
-            raise InputError(name, value.diameter, "not be zero", remedy)
-    elif not callable(value):
-        finite(name, value, remedy)
-        if abs(value) < LEAST:
-            condition = f"be at least {LEAST:g} in magnitude" if value else "not be zero"
-            raise InputError(name, value, condition, remedy)
-
-
-def _bore(name: str, value: Any, remedy: str) -> None:
-    if not isinstance(value, TabulatedDiameter):
-        positive(name, value, remedy)
-    elif min(value.diameter) < 0.0:
-        raise InputError(name, value.diameter, "be positive", remedy)
 
 
 @input_class(kw_only=True)
@@ -151,8 +91,8 @@ class Body(Input):
         Quantity(
             "mm",
             "diameter across the contact, negative where concave, or a table of y and diameter; a flat body has none",
-            _diameter,
-            _DIAMETER_REMEDY,
+            check_diameter,
+            DIAMETER_REMEDY,
         ),
     ] = None
     bore: Annotated[
@@ -160,7 +100,7 @@ class Body(Input):
         Quantity(
             "mm",
             "diameter of the bore of a hollow roller, or a table of y and diameter; a solid one has none",
-            _bore,
+            check_bore,
             "give the diameter of the bore in mm, or leave it out for a solid body",
         ),
     ] = None
@@ -430,7 +370,7 @@ class Body(Input):
         diameter = np.asarray(self.diameter(y - self.position), dtype=float)
         if diameter.shape != y.shape or not np.all(np.isfinite(diameter)) or np.any(np.abs(diameter) < LEAST):
             raise InputError(
-                "diameter", self.diameter, "return a finite diameter other than zero for every y", _DIAMETER_REMEDY
+                "diameter", self.diameter, "return a finite diameter other than zero for every y", DIAMETER_REMEDY
             )
         return 2.0 / diameter
 
