@@ -33,7 +33,8 @@ from nonhertz.model.materials import name_of
 from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solution, Solved
+from nonhertz.result.solution import Solution
+from nonhertz.result.solved import Solved
 
 if TYPE_CHECKING:
     from nonhertz.subsurface import Extreme, Extremes

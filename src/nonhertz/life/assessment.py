@@ -34,7 +34,8 @@ from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solution, Solved
+from nonhertz.result.solution import Solution
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.evaluation import Running, refuse_options
 from nonhertz.subsurface.inside import Inside, check_body, check_solution
 

@@ -29,7 +29,7 @@ from nonhertz.inputs.descriptions import Count, Word
 from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.contact import Contact
 from nonhertz.model.material import STEEL, STEEL_MODULUS
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 
 Array = NDArray[np.float64]
 FEWEST, MOST = 30, 2000

@@ -36,7 +36,7 @@ from nonhertz.patch.features import Dent
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.solver import solve
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.evaluation import stress
 from nonhertz.subsurface.field import TAU_XZ, max_shear_of, von_mises_of
 from nonhertz.subsurface.inside import check_body, check_solution

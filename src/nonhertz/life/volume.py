@@ -29,7 +29,7 @@ from nonhertz.model.body import BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.evaluation import Running, across_at, refuse_options
 from nonhertz.subsurface.inside import Inside
 from nonhertz.subsurface.rolling import QUANTITIES, passage, plane_strain_passage, revolution

@@ -23,7 +23,7 @@ from nonhertz.result import brief
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import corner_ends, ends_in_words, singular_ends
 from nonhertz.result.read_only import freeze
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.result.status import ErrorEstimate, Status
 
 Array = NDArray[np.float64]

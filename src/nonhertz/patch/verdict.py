@@ -21,7 +21,7 @@ from nonhertz.patch.free_faces import free_ends
 from nonhertz.patch.kernel import edges_from, rectangles
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.patch.surface import Gap
-from nonhertz.result.solution import not_finite
+from nonhertz.result.solved import not_finite
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

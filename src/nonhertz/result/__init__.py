@@ -1,5 +1,5 @@
 """What a solve returns: the solution, its ends, its error estimate, and what strains the model.
 
-Strips and the plane grid return different types with the same attributes: both are a `nonhertz.result.solution.Solved`,
+Strips and the plane grid return different types with the same attributes: both are a `nonhertz.result.solved.Solved`,
 and code that reads a result relies on nothing else.
 """

@@ -17,7 +17,7 @@ from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.quantities import QUANTITIES
 
 if TYPE_CHECKING:
-    from nonhertz.result.solution import Solved
+    from nonhertz.result.solved import Solved
 
 Array = NDArray[np.float64]
 

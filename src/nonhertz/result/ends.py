@@ -14,7 +14,7 @@ from nonhertz.model.profile.base import SAME_PLACE
 from nonhertz.native import core
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.maximum import distance_beyond, singular_y
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nonhertz.native import core
 
 if TYPE_CHECKING:
-    from nonhertz.result.solution import Solved
+    from nonhertz.result.solved import Solved
 
 Array = NDArray[np.float64]
 

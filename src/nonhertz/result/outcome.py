@@ -17,7 +17,8 @@ from nonhertz.native import core
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.end_pressure import add_strengths, edge_pressures
 from nonhertz.result.shortfall import shortfall
-from nonhertz.result.solution import Solution, not_finite
+from nonhertz.result.solution import Solution
+from nonhertz.result.solved import not_finite
 from nonhertz.result.status import ErrorEstimate, Status
 from nonhertz.result.validity import is_strained, refuse_wide, refuse_wide_series, singularities, strains
 from nonhertz.strip.problem import Problem, StripModel

@@ -16,7 +16,7 @@ import numpy as np
 from nonhertz.amounts import Amount, amount
 
 if TYPE_CHECKING:
-    from nonhertz.result.solution import Solved
+    from nonhertz.result.solved import Solved
 
 _ROUNDING = 1e-12  # of the terms of a sum: less is shown as zero, since symmetric terms cancel only to rounding
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import broadcast, check_callback, finite, flag, numbers, thread_count, whole
 from nonhertz.model.body import BodyName
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.field import Field
 from nonhertz.subsurface.inside import LEAST, NARROWING, Inside, check_body, check_solution
 

@@ -24,7 +24,8 @@ from nonhertz.model.profile.base import at_ends
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.solution import Solution, Solved
+from nonhertz.result.solution import Solution
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import Between, FreeFaceField
 from nonhertz.subsurface.rectangles import Rectangles

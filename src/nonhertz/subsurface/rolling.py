@@ -22,7 +22,7 @@ from nonhertz.hertz import LineContact
 from nonhertz.inputs.checks import broadcast
 from nonhertz.model.body import BodyName
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.evaluation import POINTS_REMEDY, Within, across_at, field_at, finite_numbers, refuse_options
 from nonhertz.subsurface.field import (
     SIGMA_X,

@@ -21,7 +21,7 @@ from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.read_only import ReadOnly
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.evaluation import Within, across_at, field_at, one_station, refuse_options
 from nonhertz.subsurface.inside import Inside, check_solution
 from nonhertz.subsurface.rolling import QUANTITIES, Passage, StressMeasure, passage, sampled_passage

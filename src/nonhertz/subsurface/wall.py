@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nonhertz.bodies.wall_stress import OPPOSITE, TOP, bending_of
 from nonhertz.model.body import Body
 from nonhertz.native import core
-from nonhertz.result.solution import Solved
+from nonhertz.result.solved import Solved
 from nonhertz.subsurface.extent import Extent
 from nonhertz.subsurface.free_faces import FreeFaceField
 
