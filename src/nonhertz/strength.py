@@ -21,11 +21,11 @@ from enum import StrEnum
 from typing import TYPE_CHECKING, Any, Final, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import format_digits, format_input, mm, mpa
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
+from nonhertz.hertz.onset import DEPTHS, onset_of_yield, von_mises_on_axis
 from nonhertz.inputs.checks import one_of
 from nonhertz.lazy import dir_of
 from nonhertz.model.body import Body, BodyName
@@ -50,8 +50,6 @@ EQUAL = 1e-6  # relative: half-widths that differ by less are one
 #: How far a pressure has to be from that at which a Hertzian contact begins to yield, for the field not to be searched.
 CLEAR: Final = 1.1
 _DEEPEST_SHEAR: Final = 0.786  # half-widths below a line contact: the maximum shear stress; Johnson 1985, section 4.2
-#: Places on the axis below a Hertzian contact, over its radius or half-width, at which stress is looked at.
-_BELOW: Final = np.linspace(0.0, 20.0, 20001)
 
 
 class CheckStatus(StrEnum):
@@ -288,40 +286,6 @@ def judge(
     return tuple(check for check in checks if check.name != "pressure" or pressure)
 
 
-@functools.cache
-def onset_of_yield(poisson: float) -> tuple[float, float]:
-    """Return the largest pressure over the yield strength at which circular and line contacts begin to yield [-].
-
-    By the criterion of von Mises on the axis below the largest pressure, where it is reached first: 1.61 and 1.79 for
-    a Poisson's ratio of 0.3.
-
-    Parameters
-    ----------
-    poisson : float
-        Poisson's ratio of the body [-].
-
-    References
-    ----------
-    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, Eqs. (3.45) and (4.45).
-
-    Examples
-    --------
-    >>> [round(each, 2) for each in onset_of_yield(0.3)]
-    [1.61, 1.79]
-    """
-    return tuple(1.0 / float(stress.max()) for stress in _on_axis(poisson))  # type: ignore[return-value]
-
-
-def _on_axis(poisson: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the von Mises stress over the largest pressure below a circle and a line, at `_BELOW`."""
-    z, root = _BELOW, np.hypot(1.0, _BELOW)
-    circle = np.abs(1.5 / root**2 - (1.0 + poisson) * (1.0 - z * np.arctan2(1.0, z)))
-    across, normal = 2.0 * z - (root + z**2 / root), -1.0 / root
-    along = poisson * (across + normal)
-    line = np.sqrt(((across - normal) ** 2 + (normal - along) ** 2 + (along - across) ** 2) / 2.0)
-    return circle, line
-
-
 @dataclass(frozen=True)
 class _Limit:
     """Whether pressure and stress have a limit everywhere.
@@ -398,7 +362,7 @@ class _BodyCheck:
         if depth is None:
             return
         core = material.core_yield_strength
-        stress = pressure * _on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= _BELOW].max()
+        stress = pressure * von_mises_on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= DEPTHS].max()
         if not (usual and (core is None or CLEAR * stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
             yield _not_known("core", f"Whether case and core of {self.name} bear it is decided by a search.")
             return

@@ -1,0 +1,46 @@
+"""At which pressure Hertzian contacts begin to yield."""
+
+from __future__ import annotations
+
+import functools
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: Places on the axis below a Hertzian contact, over its radius or half-width, at which stress is looked at.
+DEPTHS: Final = np.linspace(0.0, 20.0, 20001)
+
+
+@functools.cache
+def onset_of_yield(poisson: float) -> tuple[float, float]:
+    """Return the largest pressure over the yield strength at which circular and line contacts begin to yield [-].
+
+    By the criterion of von Mises on the axis below the largest pressure, where it is reached first: 1.61 and 1.79 for
+    a Poisson's ratio of 0.3.
+
+    Parameters
+    ----------
+    poisson : float
+        Poisson's ratio of the body [-].
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, Eqs. (3.45) and (4.45).
+
+    Examples
+    --------
+    >>> [round(each, 2) for each in onset_of_yield(0.3)]
+    [1.61, 1.79]
+    """
+    return tuple(1.0 / float(stress.max()) for stress in von_mises_on_axis(poisson))  # type: ignore[return-value]
+
+
+def von_mises_on_axis(poisson: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the von Mises stress over the largest pressure below a circle and a line, at `DEPTHS`."""
+    z, root = DEPTHS, np.hypot(1.0, DEPTHS)
+    circle = np.abs(1.5 / root**2 - (1.0 + poisson) * (1.0 - z * np.arctan2(1.0, z)))
+    across, normal = 2.0 * z - (root + z**2 / root), -1.0 / root
+    along = poisson * (across + normal)
+    line = np.sqrt(((across - normal) ** 2 + (normal - along) ** 2 + (along - across) ** 2) / 2.0)
+    return circle, line
