@@ -45,8 +45,8 @@ from nonhertz.bearing.kinematics import PER_MINUTE, Kinematics
 from nonhertz.bearing.oil import Lubrication
 from nonhertz.bearing.row import Row
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.bearing.standard import LAMINAE
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE, slice_loads
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import one_of, positive, whole
 from nonhertz.life.lamina import FEWEST, MOST

@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from nonhertz.bearing.lubrication import MOST_FACTOR, life_factor
 from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import slice_loads
 from nonhertz.life.lamina import EXPONENT, SLOPE, edge_function, iso_16281, laminae_of
 from nonhertz.result.edges import SingularEnd
 

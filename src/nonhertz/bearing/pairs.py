@@ -6,6 +6,9 @@ from dataclasses import replace
 from itertools import accumulate
 from typing import Annotated, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.parts import MOST_ROLLERS, NO_CLEARANCE
 from nonhertz.bearing.row import Row
@@ -13,6 +16,8 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list, finite, flag, positive
 from nonhertz.inputs.descriptions import Custom, Part, Quantities, Quantity, Several, Word
 from nonhertz.inputs.fields import Input, cross_check, input_class
+
+Array = NDArray[np.float64]
 
 ARRANGEMENTS = ("X", "O", "tandem")
 _PRELOAD = Quantity(
@@ -205,3 +210,22 @@ def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
     paired_by_angle = isinstance(bearing, Paired) and row.nominal_angle > 0.0
     parts = {"roller": row.roller, "inner": row.inner, "outer": row.outer}
     return {**parts, **({"bearing.pair": bearing} if paired_by_angle else {"bearing": row})}
+
+
+def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
+    """Return the share of each row's rollers that the inner ring loads.
+
+    Parameters
+    ----------
+    bearing : RollerBearing or Paired
+        The bearing.
+    load : ndarray, shape (..., rollers, 2)
+        Loads at the inner and the outer ring [N].
+
+    Returns
+    -------
+    ndarray, shape (..., rows)
+    """
+    # At speed every roller presses on the outer ring; between the rings only these bear load.
+    loaded = load[..., 0] > 0.0
+    return np.stack([loaded[..., row.rollers].mean(axis=-1) for row in bearing.rows], axis=-1)

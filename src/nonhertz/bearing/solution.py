@@ -12,12 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import mpa, mrad, newton, newton_mm, um
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, States, drop_rounding
-from nonhertz.bearing.laws import Slices
-from nonhertz.bearing.pairs import Paired, parts_of
+from nonhertz.bearing.pairs import Paired, loaded_shares, parts_of
 from nonhertz.bearing.ribs import RibContact
 from nonhertz.bearing.row import Row
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.standard import LAMINAE, standard_slices
 from nonhertz.bearing.strained import findings_of
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, sentences
@@ -489,35 +487,3 @@ class BearingSolution(ReadOnly, HasHtml):
         for contact in self.distinct_contacts:
             values[contact.rollers, contact.ring] = getattr(contact.solved, name)
         return values
-
-
-def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
-    """Return the share of each row's rollers that the inner ring loads.
-
-    Parameters
-    ----------
-    bearing : RollerBearing or Paired
-        The bearing.
-    load : ndarray, shape (..., rollers, 2)
-        Loads at the inner and the outer ring [N].
-
-    Returns
-    -------
-    ndarray, shape (..., rows)
-    """
-    # At speed every roller presses on the outer ring; between the rings only these bear load.
-    loaded = load[..., 0] > 0.0
-    return np.stack([loaded[..., row.rollers].mean(axis=-1) for row in bearing.rows], axis=-1)
-
-
-def slice_loads(solution: BearingSolution, laminae: int = LAMINAE) -> list[tuple[Slices, Array]]:
-    """Return the slices of each row of a bearing that was solved by so many, and the loads of all [N].
-
-    The latter, of shape (rollers, 2, laminae), are those of every contact; zero where it bears none.
-    """
-    rows = []
-    for row in solution.bearing.rows:
-        these, slices = row.rollers, standard_slices(row.bearing, laminae)
-        loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel()).reshape(-1, 2, laminae)
-        rows.append((slices, np.where(solution.load[these, :, None] > 0.0, loads, 0.0)))
-    return rows

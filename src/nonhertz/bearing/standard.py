@@ -8,12 +8,19 @@ of the deflection of both, which is as the power 0.9 of their compliances. Rolle
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
+from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.laws import Slices
 from nonhertz.life.lamina import STIFFENING, lamina_stiffness, slice_compliance
 
+if TYPE_CHECKING:
+    from nonhertz.bearing.solution import BearingSolution
+
+Array = NDArray[np.float64]
 LAMINAE = 41
 
 
@@ -25,3 +32,16 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
     relief = 0.5 * (inner.separation(y) + outer.separation(y))
     approach = 0.5 * sum(slice_compliance(contact) ** (1.0 / STIFFENING) for contact in bearing.contacts)
     return Slices(y, relief, lamina_stiffness(high - low, laminae, approach**STIFFENING), STIFFENING)
+
+
+def slice_loads(solution: BearingSolution, laminae: int = LAMINAE) -> list[tuple[Slices, Array]]:
+    """Return the slices of each row of a bearing that was solved by so many, and the loads of all [N].
+
+    The latter, of shape (rollers, 2, laminae), are those of every contact; zero where it bears none.
+    """
+    rows = []
+    for row in solution.bearing.rows:
+        these, slices = row.rollers, standard_slices(row.bearing, laminae)
+        loads = slices.loads(solution.approach[these].ravel(), solution.tilt[these].ravel()).reshape(-1, 2, laminae)
+        rows.append((slices, np.where(solution.load[these, :, None] > 0.0, loads, 0.0)))
+    return rows

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, TOLERANCE, States
-from nonhertz.bearing.pairs import Paired
+from nonhertz.bearing.pairs import Paired, loaded_shares
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
-from nonhertz.bearing.solution import BearingSolution, loaded_shares
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import ConvergenceError
 from nonhertz.result.data import library, product_index
 from nonhertz.result.read_only import ReadOnly

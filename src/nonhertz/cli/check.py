@@ -12,7 +12,8 @@ import numpy as np
 
 from nonhertz import BearingCase, Case, CaseError, ConvergenceError, InputError, Plan
 from nonhertz.amounts import format_input, mm, mpa
-from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, rename_fields
 from nonhertz.errors import joined

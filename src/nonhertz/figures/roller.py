@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa, mrad, newton, per_mm, um
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, slice_loads
-from nonhertz.bearing.standard import LAMINAE
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import LAMINAE, slice_loads
 from nonhertz.figures.contact import land_ends
 from nonhertz.figures.forces import conditions
 from nonhertz.figures.profile import relief_between

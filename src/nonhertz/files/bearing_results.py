@@ -14,7 +14,8 @@ from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.film import FILM_QUANTITIES, Films
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.section import FORCES, MOTIONS, RINGS
-from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution, slice_loads
+from nonhertz.bearing.solution import CONTACT_QUANTITIES, PRESSURES, BearingSolution
+from nonhertz.bearing.standard import slice_loads
 from nonhertz.bearing.toleranced import AT_LIMITS
 from nonhertz.files import results
 from nonhertz.files.results import Key, ListOf, plain, quantity_keys, within

@@ -16,7 +16,8 @@ import numpy as np
 from nonhertz import __version__
 from nonhertz.bearing.assessed import BearingLife
 from nonhertz.bearing.section import RINGS
-from nonhertz.bearing.solution import BearingSolution, slice_loads
+from nonhertz.bearing.solution import BearingSolution
+from nonhertz.bearing.standard import slice_loads
 from nonhertz.errors import InputError
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.folder import write_file
