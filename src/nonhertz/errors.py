@@ -196,7 +196,7 @@ class Interrupted(KeyboardInterrupt):
     message : str
         One sentence on how far the run had come.
     solutions : nonhertz.Solutions or nonhertz.study.Sweep
-        All cases; those that were not solved are among its ``failures``. Of a sweep, the rows that are there.
+        All cases; those that were not solved are among its ``failures``. For a sweep, the rows that are there.
     """
 
     def __init__(self, message: str, solutions: Any) -> None:

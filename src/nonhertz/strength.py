@@ -258,7 +258,7 @@ def judge(
         Whether the stress below the surface is searched where the pressure does not decide, which takes seconds; the
         question is left open otherwise.
     called, where : str
-        Of a contact in a bearing, what sentences call the body, such as ``"the inner ring"``, and where they say that
+        For a contact in a bearing, what sentences call the body, such as ``"the inner ring"``, and where they say that
         the pressure is; if left out, ``"body a"`` and nothing.
 
     Returns

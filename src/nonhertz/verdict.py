@@ -77,7 +77,7 @@ class Verdict:
     findings : tuple of Finding
         What decides it, the worst first.
     where : str
-        Of several, what it is the verdict on, such as ``"under 20 kN"``; empty if there is only one.
+        If one of several, what it is the verdict on, such as ``"under 20 kN"``; empty if there is only one.
     severity : tuple of two float
         The largest ratio of what acts to what is borne [-] and the largest pressure [MPa], by which verdicts that end
         alike are ordered.
@@ -190,7 +190,7 @@ def judge_rows(
     judged : callable
         Returns the verdict on a row by its number.
     materials : sequence of hashable
-        Of each row, the values of materials that are varied, if any are: each has a limit of its own.
+        For each row, the values of materials that are varied, if any are: each has its own limit.
     warned : array_like
         How many warnings each row has, if that is known.
     what : str

@@ -78,13 +78,13 @@ class BearingLife(HasFindings, HasHtml):
         What speed presses on the outer ring counts, under a load on the inner one or none.
     viscosity_ratio, contamination, life_factor : float or None
         kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity, and but for kappa without
-        a cleanliness. Of a spectrum, the smallest kappa and e_C.
+        a cleanliness. For a spectrum, the smallest kappa and e_C.
     reliability_factor : float
         a_1 [-].
     singular_ends : tuple of SingularEnd
         Those towards which the damage has no limit, so that there is no L10r; empty if there are none.
     parts : tuple of (BearingLife, float)
-        Of a spectrum, the life under each load by itself, and its share; empty under one load.
+        For a spectrum, the life under each load by itself, and its share; empty under one load.
     axial_on_ribs : float
         Axial load that the ribs of cylindrical rows bear [N], which neither P nor the laminae count; of a spectrum, the
         largest.
@@ -167,7 +167,7 @@ class BearingLife(HasFindings, HasHtml):
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
         """What limits the validity: axial loads on ribs, and a load under which the equations need not hold.
 
-        Of a spectrum, the heaviest.
+        For a spectrum, the heaviest.
         """
         notes = []
         if self.axial_on_ribs:

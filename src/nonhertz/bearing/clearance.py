@@ -163,7 +163,7 @@ class Mounting(Input):
             The bearing, with the clearance that it has unmounted; of a tapered one its axial clearance counts as a
             radial one of 2 tan(alpha) times as much.
         speed : float
-            Of inner ring and shaft [1/min]; outer ring and housing are at rest.
+            Speed of inner ring and shaft [1/min]; outer ring and housing are at rest.
         clearance : {"likely", "least", "greatest"}
             Which of what classes allow, as in `at`.
 

@@ -125,7 +125,7 @@ def solve_balance(
     system : System
         The rollers.
     by_force : ndarray of bool, shape (5,)
-        Of which motions of the ring the force or moment is given; of the others the displacement or rotation.
+        For which motions of the ring the force or moment is given; for the others, the displacement or rotation.
     target : ndarray, shape (states, 5)
         What is given.
     start : ndarray, shape (states, 5)

@@ -75,7 +75,7 @@ class VolumeLife(HasFindings, ReadOnly, HasHtml):
     model : VolumeModel
         The model with its parameters.
     of_rows : ndarray, shape (rows, 3)
-        Of the inner ring, the outer ring and the rollers of each row.
+        Values for the inner ring, the outer ring and the rollers of each row.
     even : ndarray, shape (rows, 3)
         The same if every contact had Hertz's line contact, its load spread evenly over its length.
     findings : tuple of Finding

@@ -102,7 +102,7 @@ class ContactFilm:
     y, line_load : ndarray
         Places along the rollers' profiles [mm], and the load per length there [N/mm].
     least_film, central_film : ndarray
-        Of a line by Pan and Hamrock, or of an ellipse by Hamrock and Dowson [mm].
+        Films [mm] of a line by Pan and Hamrock, of an ellipse by Hamrock and Dowson.
     line_film : ndarray
         The least one of a line by Dowson and Higginson [mm].
     entrainment, sliding : ndarray
@@ -231,7 +231,7 @@ def films(
     solution : BearingSolution
         The loaded bearing.
     speed : float
-        Of the ring that turns [1/min].
+        Speed of the ring that turns [1/min].
     lubrication : Lubrication
         The oil.
     turning : {"inner", "outer"}

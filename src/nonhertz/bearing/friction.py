@@ -161,7 +161,7 @@ def friction(
     solution : BearingSolution
         The loaded bearing; its series, bore and outside diameter must be known.
     speed : float
-        Of the turning ring [1/min].
+        Speed of the turning ring [1/min].
     viscosity : float
         That of the oil or the grease's base oil in the bearing [mm^2/s].
     static : float

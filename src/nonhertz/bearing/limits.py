@@ -144,7 +144,7 @@ def limits(
     clearance : OperatingClearance or None
         Its fits in operation.
     speed : float
-        Of the turning ring [1/min].
+        Speed of the turning ring [1/min].
     grease : bool
         Whether it is lubricated by grease.
     viscosity_ratio : float or None

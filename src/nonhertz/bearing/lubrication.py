@@ -69,7 +69,7 @@ def oil_viscosity(
     Parameters
     ----------
     temperature : float
-        Of the oil in the bearing [degC].
+        Temperature of the oil in the bearing [degC].
     viscosities : tuple of float
         At the two others [mm^2/s], above 2: ISO VG 220 has 220 at 40 degC.
     temperatures : tuple of float

@@ -54,7 +54,7 @@ class InterferenceFit:
         Hoop stress of the bearing's ring in operation, at its seat and at its raceway [MPa].
     loosening_speed : float
         Speed at which the pressure falls to zero at the temperatures of operation [1/min]; infinite if none does, and 0
-        where the parts part without any. Of an outer ring, which is at rest, infinite or 0.
+        where the parts part without any. For an outer ring, which is at rest, infinite or 0.
     temperature_step : float
         By how much the part that is inside is warmer than the one around it [K].
     """
@@ -144,7 +144,7 @@ class OperatingClearance(HasFindings):
         Parameters
         ----------
         contact_angle : float
-            Of the row [rad].
+            Contact angle of the row [rad].
 
         Returns
         -------

@@ -345,7 +345,7 @@ class RollerBearing(Input):
     def radial_clearance(self) -> float | None:
         """From one side to the other the inner ring moves by so much across the axis [mm]; None of thrust bearings.
 
-        Of a group the mean of its limits.
+        For a group, the mean of its limits.
         """
         return self.clearance_range.likely if hasattr(self, "clearance") else None
 

@@ -68,7 +68,7 @@ def raceway_motion(
     inner : bool
         Whether it is the inner ring.
     roller_radius : float
-        Of the roller in its middle [mm].
+        Radius of the roller in its middle [mm].
     profile_radius : float
         Of a barrel's surface along the roller [mm]: where it shifts along the ring, another part of it comes to lie
         there, as if it had been tilted by the shift over this radius.

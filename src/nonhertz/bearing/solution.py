@@ -100,12 +100,12 @@ class BearingSolution(ReadOnly, HasHtml):
     angle : ndarray, shape (rollers,)
         Where the rollers are [rad].
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
-        Of the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; a roller that touches nothing has
+        At the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; a roller that touches nothing has
         no load.
     each_rib_load : ndarray, shape (rollers, ribs)
         On the ends of the rollers from each rib, in the order of ``rib_contacts`` of the row [N].
     displacement : ndarray, shape (5,)
-        Of the inner ring along x, y and z [mm] and about y and z [rad].
+        Motion of the inner ring along x, y and z [mm] and about y and z [rad].
     force : ndarray, shape (5,)
         Forces [N] and moments [N mm] on the inner ring that go with it.
     stiffness : ndarray, shape (5, 5)
@@ -284,7 +284,7 @@ class BearingSolution(ReadOnly, HasHtml):
     def findings(self) -> tuple[Finding, ...]:
         """What strains the model: what is found of contacts by strips, ribs whose contacts reach an edge, bores.
 
-        Of those of one kind, the first, with a count, from the most loaded roller down.
+        The first of each kind, with a count, from the most loaded roller down.
         """
         return findings_of(self)
 

@@ -37,11 +37,11 @@ class BearingSolutions(ReadOnly):
     method : str
         How its contacts were solved.
     displacement, force : ndarray, shape (..., 5)
-        Of the inner ring, as in `BearingSolution`.
+        Motions of the inner ring, as in `BearingSolution`.
     stiffness : ndarray, shape (..., 5, 5)
         d(force) / d(displacement).
     load : ndarray, shape (..., rollers, 2)
-        Of the contacts with the inner and the outer ring [N].
+        Loads of the contacts with the inner and the outer ring [N].
     converged : ndarray of bool, shape (...)
         Whether a balance was found; where not, the other values are those of the last step.
     axes : mapping of str to ndarray

@@ -45,7 +45,7 @@ class ForceTable(ReadOnly, HasHtml):
     method : str
         How its contacts were solved.
     speed : float
-        Of the turning ring [1/min].
+        Speed of the turning ring [1/min].
     turning : {"inner", "outer"}
         The ring that turns.
     names : tuple of str

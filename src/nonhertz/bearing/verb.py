@@ -90,7 +90,7 @@ def solve(
         Which ring turns; the other is at rest, and so is the load.
     {BearingSolver}
     maps : BearingMaps, optional
-        Of this bearing, from `maps`, in place of strips while the balance is found.
+        Maps of this bearing, made by `maps`, in place of strips while the balance is found.
 
     Returns
     -------

@@ -95,7 +95,7 @@ def _draw_figures(assessment: Assessment, other: Assessment | None) -> Mapping[s
 def _list_sections(files: Sequence[Path], first: Assessment, other: Assessment | None) -> list[Section]:
     """Return the lives by all models, what they are relative to, those of another case, and warnings of both.
 
-    Of two cases each has a heading: its file and its title.
+    With two cases each has a heading: its file and its title.
     """
     parts = [(assessment, sections(assessment)) for assessment in (first, other) if assessment is not None]
     shown = []

@@ -74,7 +74,7 @@ class FreeForm:
         Returns
         -------
         margins : ndarray, shape (bounds,)
-            Of the deepest relief, of the slopes, and of the curvatures of either sign.
+            Limits of the deepest relief, of the slopes, and of the curvatures of either sign.
         slopes : ndarray, shape (bounds, knots)
         """
         roots = np.asarray(shares, dtype=float)

@@ -353,7 +353,7 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
 def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path()) -> str:
     """Return a commented plan to start from, with a table for each command.
 
-    Of a case it varies what that has: around its load, a diameter and a number of its profile. A folder is where the
+    For a case it varies what that has: around its load, a diameter and a number of its profile. A folder is where the
     plan will be.
     """
     text = starting_text("starting_plan.toml")

@@ -64,7 +64,7 @@ class Distribution:
     numbers : tuple of float
         Mean and standard deviation; lowest and highest; or lowest, likeliest and highest.
     within : tuple of float, optional
-        Of a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
+        For a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
 
     Raises
     ------

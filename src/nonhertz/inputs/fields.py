@@ -63,7 +63,7 @@ class Input:
     Attributes
     ----------
     kinds : mapping of str to type
-        Of an input of several kinds the class of each, by the word in a file.
+        For an input of several kinds, the class of each by its word in a file.
     meaning_of_kind : str
         What that word decides.
     instead : mapping of str to str

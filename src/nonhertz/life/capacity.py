@@ -234,7 +234,7 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
 def of_rolling_bearing(contact: Contact) -> bool:
     """Return whether both bodies are parts of a rolling bearing: rollers, rings or washers of bearing steel.
 
-    Of a wheel on a rail or of gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile means
+    For a wheel on a rail or for gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile means
     anything.
     """
     return all(isinstance(body, Roller | Ring | Plate) and is_steel(body.material) for body in contact.bodies.values())

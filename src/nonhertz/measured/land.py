@@ -209,7 +209,7 @@ def _extended(
 ) -> tuple[int, int]:
     """Return the longest stretch extended by neighbouring ones at which the surface is back at its height.
 
-    Of two that are as long the higher one counts: it is what another body touches.
+    If two are equally long the higher one counts: it is what another body touches.
     """
     half, usual = half_chord(points), float(np.median(np.diff(points.y)))
     widest = (2.0 * half + max(_STEP_WIDTH * points.span, _POINTS_ACROSS * usual)) * (1.0 + ROUNDING)

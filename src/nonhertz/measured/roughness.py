@@ -134,7 +134,7 @@ def strain_on_strips(
     points : Points
         The line to solve with.
     half_width, pressure, compliance : float
-        Of the contact [mm, MPa, 1/MPa], as in `nonhertz.measured.Measured.warnings_for`.
+        Values of the contact [mm, MPa, 1/MPa], as in `nonhertz.measured.Measured.warnings_for`.
     smoothed : bool
         Whether a filter was applied, which decides the remedy.
 

@@ -38,7 +38,7 @@ class Entry:
     density : float
         [t/mm^3]; of steels that of EN 1993-1-2, of others that of the same source or of handbooks.
     expansion : float or None
-        Linear thermal expansion near room temperature [1/K]; None where sources differ by more than a tenth. Of steels
+        Linear thermal expansion near room temperature [1/K]; None where sources differ by more than a tenth. For steels
         that of bearing steel, and of 440C that of AMES Engineering's tables; of silicon nitride between that of
         Callister and of Lily Bearing; of others that of W. D. Callister, Fundamentals of Materials Science and
         Engineering, table B.6: gray iron, ductile iron 60-40-18 and 80-55-06, bronze C93200; of aluminium EN 1999-1-1.

@@ -1,7 +1,7 @@
 """Drawings of a solution or a whole bearing, for papers and reports.
 
 Functions that draw take a result and axes of matplotlib, ``ax``, on which they draw and which they return. Without axes
-each makes a figure of its own, ``ax.figure``. Of a solution they are `pressure` (pressure and half-width along the
+each makes a figure of its own, ``ax.figure``. For a solution they are `pressure` (pressure and half-width along the
 contact), `footprint` (the contact area) and `profile` (the surfaces before and after loading); with what
 `nonhertz.subsurface` found below the surface, `axial_stress` (a plane along the contact) and `section_stress` (a plane
 across it); of lives, `life_density`; of a `nonhertz.bearing.BearingSolution`, `bearing_loads`, `bearing_pressure`,

@@ -59,12 +59,12 @@ def figures(result: Solution | BearingSolution, title: str = "", *, films: Films
     title : str
         Heading of every figure; none if empty.
     films : Films, optional
-        Of a bearing, its films of oil.
+        For a bearing, its films of oil.
 
     Returns
     -------
     dict of str to matplotlib.figure.Figure
-        Of a contact ``"pressure"``, ``"footprint"`` and ``"profile"``.
+        For a contact ``"pressure"``, ``"footprint"`` and ``"profile"``.
     """
     if isinstance(result, BearingSolution):
         return bearing_figures(result, title, films=films)

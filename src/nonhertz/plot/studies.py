@@ -110,7 +110,7 @@ def tornado(
     first, total : array_like, shape (n,)
         Their indices, from 0 to 1.
     intervals : pair of array_like, shape (2, n), optional
-        Of both, the lower and the upper ends of the intervals in which they lie.
+        Lower and upper ends of the intervals in which both lie.
     """
     ends = None if intervals is None else (_numbers(intervals[0]), _numbers(intervals[1]))
     return _draw(studies.variance_shares(names, _numbers(first), _numbers(total), ends), ax)

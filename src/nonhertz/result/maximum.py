@@ -57,7 +57,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     y : ndarray, shape (n,)
         Centres of strips or rows of cells [mm], ascending.
     pressure, half_width : ndarray, shape (n,)
-        Of each [MPa, mm], zero out of contact.
+        Values of each [MPa, mm], zero out of contact.
     ends : ndarray, shape (k,)
         Where the pressure has no limit [mm].
 

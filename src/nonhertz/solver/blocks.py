@@ -38,7 +38,7 @@ def list_contacts(contacts: Contact | Iterable[Contact]) -> list[Contact]:
 class Block:
     """Cases that were solved together, or cases that have no solution for the same reason.
 
-    Of a case that has none, the states are those that the solver reached, if any.
+    For a case without one, the states are those that the solver reached, if any.
     """
 
     problem: Problem

@@ -253,7 +253,7 @@ class Solutions(HasHtml):
         """Why cases have no solution, by case number, or by a tuple of numbers if there are several axes.
 
         Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or
-        whatever a user-written profile or diameter raised. Of cases that an interrupted run did not come to, it is a
+        whatever a user-written profile or diameter raised. For cases that an interrupted run did not reach, it is a
         NonhertzError that says so.
         """
         errors = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}

@@ -47,7 +47,7 @@ _PRESSURE = Axis("Centre-line pressure p₀", "p₀", "MPa")
 def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
     """Return figures of a sweep by name: lines against one path, maps over two, histograms of samples.
 
-    Of more than two paths, and of more than 100,000 rows, there is none.
+    There is none for more than two paths, or more than 100,000 rows.
     """
     panel_of = _panel_of(sweep)
     if panel_of is None or len(sweep) > MOST_DRAWN:

@@ -22,8 +22,8 @@ def damage(model: Model) -> PowerIntegral:
     Returns
     -------
     PowerIntegral
-        Of a volume model, whose stress is as the pressure p and whose depth is as the half-width b under the line of
-        contact, that of p^k b^(1 - h). Of laminae that of (p b)^4.5, without a function of edge stress.
+        For a volume model, whose stress is as the pressure p and whose depth is as the half-width b under the line of
+        contact, that of p^k b^(1 - h). For laminae that of (p b)^4.5, without a function of edge stress.
 
     Raises
     ------

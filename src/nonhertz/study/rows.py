@@ -70,7 +70,7 @@ class Work:
         paths : sequence of str
             What is varied.
         values : sequence of sequences
-            Of each row, the values of these.
+            For each row, the values of these.
         """
         named = [dict(zip(paths, row, strict=True)) for row in values]
         # What strains the model is a column of its own.

@@ -144,7 +144,7 @@ class Sweep(HasHtml):
     def verdict(self) -> Verdict | None:
         """Whether the rows bear their loads: the verdict on the one with the largest pressure, solved once more.
 
-        Of rows with other materials, on the worst of each. None if rows are missing, or have no largest pressure.
+        For rows with other materials, on the worst of each. None if rows are missing, or have no largest pressure.
         """
         names = {quantity.name for quantity in self.quantities}
         if "max_pressure" not in names or not self.complete:

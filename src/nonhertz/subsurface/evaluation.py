@@ -224,7 +224,7 @@ def axial_plane(
     Returns
     -------
     Field
-        Of shape (m, n).
+        Shape (m, n).
     """
     refuse_options("axial_plane", options, Options)
     finite("x", x, "give one place across the contact in mm")
@@ -259,7 +259,7 @@ def cross_section(
     Returns
     -------
     Field
-        Of shape (m, n).
+        Shape (m, n).
     """
     refuse_options("cross_section", options, Options)
     middle, half_width = across_at(solution, np.asarray(one_station(station)))
@@ -283,7 +283,7 @@ def volume(solution: Solved, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options
     Returns
     -------
     Field
-        Of shape (l, m, n). If that does not fit into memory, call it slice by slice: points are independent.
+        Shape (l, m, n). If that does not fit into memory, call it slice by slice: points are independent.
     """
     refuse_options("volume", options, Options)
     across, along, below = _row("x", x), _row("y", y), _row("z", z)

@@ -343,9 +343,9 @@ class _Climb:
     span : ndarray, shape (3,)
         How far from it the next net reaches [mm].
     limits : tuple of float
-        Of y [mm].
+        Range of y [mm].
     half_width : float
-        Of the contact there [mm].
+        Half-width of the contact there [mm].
     top : float
         The value at the best point [MPa].
     """

@@ -26,7 +26,7 @@ def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps
     solution : BearingSolution
         A loaded bearing.
     maps : BearingMaps, optional
-        Of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
+        Maps of this bearing, from `nonhertz.bearing.maps`, up to 1.5 times the loads. With them the six states take
         milliseconds; by strips they take about a second.
 
     Raises

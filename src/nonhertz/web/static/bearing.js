@@ -128,7 +128,7 @@ function drawPictures() {
   drawFilms(answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
-  stale.title = page.fresh ? "" : "Of the bearing before the last change: strips are solved when the slider rests.";
+  stale.title = page.fresh ? "" : "From before the last change: strips are solved when the slider rests.";
   byId("most").hidden = page.chosen === null || number === answer.most;
   writeRollers(answer, number);
   offerContacts(number);

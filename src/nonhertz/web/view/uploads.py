@@ -63,7 +63,7 @@ def _averaged(trace: Trace) -> Trace:
     starts = np.union1d(np.arange(0, len(trace), every), behind_gaps).astype(np.intp)
     counts = np.diff(starts, append=len(trace))
     y, height = (np.add.reduceat(values, starts) / counts for values in (trace.y, trace.height))
-    note = f"Of the {len(trace)} points, every {every} neighbours were averaged; 'nonhertz profile' uses all of them."
+    note = f"Every {every} of the {len(trace)} points were averaged; 'nonhertz profile' uses all of them."
     return Trace(y, height, trace.gaps, name=trace.name, notes=(*trace.notes, note))
 
 
