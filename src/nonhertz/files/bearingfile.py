@@ -478,7 +478,7 @@ def new_bearing(template: str | None = None, changes: Mapping[str, Any] | None =
     Parameters
     ----------
     template : str, optional
-        One of `BEARING_TEMPLATES`, each an example of a kind of bearing.
+        One of ``BEARING_TEMPLATES``, each an example of a kind of bearing.
     changes : mapping of str to object, optional
         Values in place of those in the template, by dotted path, such as ``{"load.radial": "5 kN"}``; None removes one.
 

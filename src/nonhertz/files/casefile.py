@@ -150,7 +150,7 @@ def new_case(template: str | None = None, changes: Mapping[str, Any] | None = No
     Parameters
     ----------
     template : str, optional
-        One of `TEMPLATES`, each an example of a machine element.
+        One of ``TEMPLATES``, each an example of a machine element.
     changes : mapping of str to object, optional
         Values in place of those in the template, by dotted path, such as ``{"load.load": "5 kN"}``; None removes a key.
 
