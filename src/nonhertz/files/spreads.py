@@ -161,7 +161,7 @@ def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) 
     ----------
     parameter : Parameter
         What is varied.
-    given : object
+    value : object
         A text or a list as above, an array of numbers, or a `Distribution`.
     document : mapping
         The file, for what is nominal.

@@ -44,7 +44,7 @@ def find_complaint(solution: PatchSolution, gap: Gap, prescription: Prescription
         The solution about to be returned.
     gap : callable
         x, y [mm] -> undeformed gap [mm].
-    given : Prescription
+    prescription : Prescription
         What was prescribed.
     tolerance : float
         Largest residual requested.

@@ -107,7 +107,7 @@ def comparison(methods: Comparison, title: str = "") -> Figure:
 
     Parameters
     ----------
-    found : Comparison
+    methods : Comparison
         What `nonhertz.compare` returned.
     title : str
         Heading; none if empty.

@@ -62,7 +62,7 @@ class Part:
 
     Attributes
     ----------
-    found : CaseResults or BearingResults or None
+    result : CaseResults or BearingResults or None
         The result; None for several.
     sections : sequence of Section
         What is shown.

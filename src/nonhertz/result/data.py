@@ -111,7 +111,7 @@ def library(name: str, caller: str, extra: str = "data", package: str | None = N
     ----------
     name : str
         The library.
-    asked : str
+    caller : str
         What needs it, for the error.
     extra : str
         The extra of this package that installs it.

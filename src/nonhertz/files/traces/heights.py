@@ -35,8 +35,6 @@ class Heights:
     ----------
     head : list of str
         The lines above them.
-    first : int
-        Number of the first line.
     cells : list of (int, str, float or None)
         Number, text and number of each line; None for what is no number.
     footer : str or None
