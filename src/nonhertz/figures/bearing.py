@@ -17,6 +17,7 @@ from nonhertz.figures.forces import conditions, directions
 from nonhertz.figures.loads import roller_loads
 from nonhertz.figures.perspective import pressure_ridges
 from nonhertz.figures.roller import roller_lines
+from nonhertz.figures.unrolled import ring_heading, unrolled_pressures
 from nonhertz.figures.value import Across, Axis, Cells, Figure, Panel, Points, Span
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
     """
     middle = loaded_middle(solution)
     limit = float(solution.max_pressure.max()) or 1.0
-    rows = [[_unrolled(solution, ring, row, points) for ring in RINGS] for row in range(len(solution.bearing.rows))]
+    rows = unrolled_pressures(solution, points)
     largest = max(float(unrolled.pressure.max()) for both in rows for unrolled in both)
     colours = Axis("Centre-line pressure p₀", "p₀", "MPa", range=(0.0, limit), cut=largest > ON_A_GRID * limit)
     panels = [_panel(solution, unrolled, middle, colours) for both in rows for unrolled in both]
@@ -70,13 +71,8 @@ def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
     return Figure(turn_axis(middle), panels, conditions(solution), caption)
 
 
-def _unrolled(solution: BearingSolution, ring: str, row: int, points: int) -> UnrolledPressure:
-    half = 0.5 * solution.bearing.rows[row].bearing.roller_length
-    return solution.unrolled_pressure(ring, row=row, y=half * np.linspace(-1.0, 1.0, points))
-
-
 def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float, colours: Axis) -> Panel:
-    ring, row, places = unrolled.ring, unrolled.row, unrolled.y
+    ring, places = unrolled.ring, unrolled.y
     pitch = 360.0 / unrolled.angle.size
     turned = around(np.degrees(unrolled.angle), middle)
     order = np.argsort(turned)
@@ -85,11 +81,9 @@ def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float,
     edges = turned[order[0]] - 360.0 + pitch * (np.arange(order.size + 1) - 0.5)
     between = np.concatenate([places[:1], 0.5 * (places[1:] + places[:-1]), places[-1:]])
     pressure = unrolled.pressure[order]
-    heading = f"Pressure at the {ring} ring"
-    if len(solution.bearing.rows) > 1:
-        heading += f", row {row + 1}"
+    heading = ring_heading(solution, unrolled)
     words, marks = "no roller loaded", []
-    these = solution.rollers_of(row)
+    these = solution.rollers_of(unrolled.row)
     of_ring = RINGS.index(ring)
     largest = solution.max_pressure[these, of_ring]
     most = int(largest.argmax())

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
 from nonhertz.figures.angles import around, loaded_middle, turn_axis
 from nonhertz.figures.forces import conditions
 from nonhertz.figures.roller import STYLES
+from nonhertz.figures.unrolled import ring_heading, unrolled_pressures
 from nonhertz.figures.value import Axis, Figure, Line, Panel
 
 Array = NDArray[np.float64]
@@ -51,9 +51,8 @@ def pressure_ridges(solution: BearingSolution, points: int = POINTS) -> Figure:
     shown = along.range[0] - 180.0 / most, along.range[1] + 360.0 * ASIDE / least
     top = float(solution.max_pressure.max()) or 1.0
     panels = []
-    for row, placed in enumerate(solution.bearing.rows):
-        y = 0.5 * placed.bearing.roller_length * np.linspace(-1.0, 1.0, points)
-        panels += [_panel(solution, solution.unrolled_pressure(ring, row=row, y=y), middle, top) for ring in RINGS]
+    for both in unrolled_pressures(solution, points):
+        panels += [_panel(solution, unrolled, middle, top) for unrolled in both]
     caption = (
         "Pressure of all rollers on the centre lines of their contacts, in perspective: each stands at its angle, with "
         "the end of negative y in front."
@@ -62,10 +61,7 @@ def pressure_ridges(solution: BearingSolution, points: int = POINTS) -> Figure:
 
 
 def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float, top: float) -> Panel:
-    ring = unrolled.ring
-    heading = f"Pressure at the {ring} ring"
-    if len(solution.bearing.rows) > 1:
-        heading += f", row {unrolled.row + 1}"
+    ring, heading = unrolled.ring, ring_heading(solution, unrolled)
     largest, half = float(unrolled.pressure.max()), float(unrolled.y[-1])
     words = f"{heading.removeprefix('Pressure at the ')}, from y = {mm(-half):.3g} in front to {mm(half):.3g} behind"
     return Panel(
