@@ -241,15 +241,15 @@ def _largest(solution: Solution) -> Iterator[Mark]:
 def land_ends(solution: Solution, colour: Colour = "ink", among: Iterable[Solution] = ()) -> Iterator[Mark]:
     """Yield words where the pressure rises again towards the end of a land, above the lines that they would cross."""
     low, high = axial_range(solution)
+    width = LAND_END * (high - low)
     for y, value in land_end_peaks(solution):
-        inwards = 1.0 if y < 0.5 * (low + high) else -1.0
-        below = [
-            np.minimum(other.centre_pressure[np.abs(other.y - y - inwards * reach) <= reach], other.max_pressure)
-            for other in (solution, *among)
-            for reach in [0.5 * LAND_END * (high - low)]
-        ]
-        above = max(value, *(float(pressures.max(initial=0.0)) for pressures in below))
-        yield Words(y, above, f"land end, {mpa(value):.4g}", "left" if inwards > 0.0 else "right", colour=colour)
+        rightwards = y < 0.5 * (low + high)
+        middle = y + 0.5 * (width if rightwards else -width)
+        above = value
+        for other in (solution, *among):
+            crossed = other.centre_pressure[np.abs(other.y - middle) <= 0.5 * width]
+            above = max(above, float(np.minimum(crossed, other.max_pressure).max(initial=0.0)))
+        yield Words(y, above, f"land end, {mpa(value):.4g}", "left" if rightwards else "right", colour=colour)
 
 
 def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour] = ()) -> Iterator[Mark]:
