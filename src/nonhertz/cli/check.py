@@ -23,7 +23,7 @@ from nonhertz.files.toml import is_plan, load_document
 from nonhertz.files.writing import document_of
 from nonhertz.hertz import line_contact
 from nonhertz.inputs.fields import Input
-from nonhertz.model.body import BODIES, Body
+from nonhertz.model.body import Body
 from nonhertz.show.solving import try_solve
 from nonhertz.study.design_task import check_design
 from nonhertz.study.points import Points
@@ -80,7 +80,7 @@ def _describe_contact(case: Case) -> str:
     solution, _ = try_solve(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _list_inputs(case.prescribed)
     content = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
-    bodies = {f"body {name}": getattr(case.contact, name) for name in BODIES}
+    bodies = {f"body {name}": body for name, body in case.contact.bodies.items()}
     return ".\ndoubtful: ".join((content, *_find_doubts(bodies, 0.0 if solution is None else solution.max_pressure)))
 
 

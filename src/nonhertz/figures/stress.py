@@ -108,7 +108,7 @@ def _with_room(solution: Solution, field: Field) -> Range:
     """Return the range of y [mm] to draw: that of the field, and a little more where it reaches the end of the body."""
     low, high = float(field.y[0, 0]), float(field.y[-1, 0])
     room = BEYOND * (high - low)
-    faces = {"a": solution.contact.a, "b": solution.contact.b}[field.body].faces
+    faces = solution.contact.bodies[field.body].faces
     return low - room * bool(np.isclose(low, faces[0])), high + room * bool(np.isclose(high, faces[1]))
 
 

@@ -81,7 +81,7 @@ class Case(CaseBase):
     @property
     def parts(self) -> dict[str, Input]:
         """The inputs of which something may be assumed, by their places in its file."""
-        return {f"body.{name}": getattr(self.contact, name) for name in BODIES}
+        return {f"body.{name}": body for name, body in self.contact.bodies.items()}
 
     def sections(self) -> dict[str, Any]:
         """Return the sections of its file."""

@@ -108,7 +108,7 @@ def files(text: str, planes: Mapping[str, Field]) -> dict[str, str]:
 
 def poisson(solution: Solution, body: BodyName) -> float:
     """Return Poisson's ratio of body ``"a"`` or ``"b"``, on which the stress along the contact depends."""
-    return float({"a": solution.contact.a, "b": solution.contact.b}[body].material.poisson)
+    return float(solution.contact.bodies[body].material.poisson)
 
 
 def all_findings(solution: Solution, *stresses: Extremes) -> tuple[Finding, ...]:

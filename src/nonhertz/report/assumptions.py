@@ -26,7 +26,6 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bodies.depths import depth_below
 from nonhertz.bodies.ends import ends
 from nonhertz.comparison.value import NOTABLE
-from nonhertz.model.body import BODIES
 from nonhertz.model.contact import Contact
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.checks import LEAST_DEPTH, ValidityCheck, checks
@@ -131,8 +130,8 @@ def _judge_contact(result: CaseResults) -> Iterator[Assumption]:
     if not (fine and solution.contact_y):
         return
     yield from _judge_strips({"": [solution]})
-    for name in BODIES:
-        if depth_below(getattr(solution.contact, name), solution.element) is None:
+    for name, body in solution.contact.bodies.items():
+        if depth_below(body, solution.element) is None:
             remark = "A half-space of infinite depth: the approach is measured against a distant point."
             criterion = f"depth of at least {LEAST_DEPTH:g} half-widths"
             yield Assumption(f"Body {name} is thick", criterion, "no depth given", remark=remark)

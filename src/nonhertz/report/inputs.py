@@ -134,7 +134,7 @@ def _implied_by_body(body: Body) -> dict[str, Any]:
 
 def _implied_by_contact(case: Case, made: Mapping[str, Any]) -> tuple[dict[str, Body], dict[str, dict[str, Any]]]:
     """Return the bodies by their places, and by place what is shown where the file says nothing."""
-    bodies: dict[str, Body] = {f"body.{name}": getattr(case.contact, name) for name in BODIES}
+    bodies: dict[str, Body] = {f"body.{name}": body for name, body in case.contact.bodies.items()}
     return bodies, {"load": {} if {"tilt", "moment"} & set(made["load"]) else {"tilt": 0.0}}
 
 

@@ -17,7 +17,7 @@ from nonhertz.bodies.ends import End
 from nonhertz.bodies.shape import Shape
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
-from nonhertz.model.body import BODIES, Body, BodyName
+from nonhertz.model.body import Body, BodyName
 from nonhertz.model.contact import Contact
 from nonhertz.native import core
 from nonhertz.result.solution import Solution
@@ -183,7 +183,7 @@ def depths(contact: Contact, shape: Shape, y: Array, half_width: Array) -> list[
     """Return name, body and smallest depth in half-widths, where in contact, of each body with a finite depth."""
     touching = half_width > 0.0
     shallowest = []
-    for name, body in zip(BODIES, (contact.a, contact.b), strict=True):
+    for name, body in contact.bodies.items():
         below = depth_below(body, shape)
         if below is not None and np.any(touching):
             shallowest.append((name, body, float(np.min(below(y[touching]) / half_width[touching]))))

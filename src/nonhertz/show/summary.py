@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from nonhertz.amounts import error_words, format_digits, mm, mpa, worth_reading
-from nonhertz.model.body import BODIES
 from nonhertz.result.brief import where_largest
 from nonhertz.result.edges import EdgeKind, EdgePressure
 from nonhertz.result.ends import leaves_stress
@@ -45,7 +44,7 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
         elif shows_penetration or name != "penetration":
             remark, spec = remarks.get(name, ("", ""))
             rows.append((quantity.label, quantity.text(solution, spec), remark))
-    for name, body in zip(BODIES, (solution.contact.a, solution.contact.b), strict=True):
+    for name, body in solution.contact.bodies.items():
         rows.append((f"body {name}", type(body).__name__.lower(), body.model))
     rows.append(("strips", f"{solution.strips}, {solution.element.name}", ""))
     rows.append(("Newton steps", str(solution.iterations), ""))

@@ -50,7 +50,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
             "footprint": contact.footprint(solution).to_json(),
             "distance": contact.distance(solution).to_json(),
         },
-        "profiles": {name: body_relief(getattr(case.contact, name), name).to_json() for name in BODIES},
+        "profiles": {name: body_relief(body, name).to_json() for name, body in case.contact.bodies.items()},
         "bodies": {"a": _seen(case.contact.a), "b": _seen(case.contact.b)},
     }
 
