@@ -18,7 +18,8 @@ from nonhertz.plot.bearing.pressure import bearing_pressure
 from nonhertz.plot.bearing.roller import most_loaded_roller, roller_relief
 from nonhertz.plot.centre_line import pressure, profile
 from nonhertz.plot.contact_area import footprint
-from nonhertz.plot.drawer import sheets_of
+from nonhertz.plot.drawer import sheet_of, sheets_of
+from nonhertz.plot.style import sheet_style
 from nonhertz.result.solution import Solution
 
 if TYPE_CHECKING:
@@ -117,4 +118,5 @@ def comparison(methods: Comparison, title: str = "") -> Figure:
     matplotlib.figure.Figure
         `save` writes it.
     """
-    return sheets_of({"": compared_methods(methods)}, title)[""]
+    with sheet_style():
+        return sheet_of(compared_methods(methods), title)
