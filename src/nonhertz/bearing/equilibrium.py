@@ -27,6 +27,7 @@ Indices = NDArray[np.int64]
 # What may be left of the balance of the ring, over the loads: strips are exact to 1e-11.
 TOLERANCE = 1e-9
 STEPS = 80
+NO_TILT = 1e-12  # rad: a tilt below this is rounding
 NO_LOAD = 1e-8  # of the largest: what is left of the balance of a roller that has lifted off
 EDGE = 1e-5  # mm, a motion far below what rollers and raceways depart from their shapes
 
@@ -201,3 +202,8 @@ def drop_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[fl
     sizes = np.abs(values * weights)
     rounded: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
     return rounded
+
+
+def drop_tilt_rounding(tilt: Array) -> Array:
+    """Return tilts [rad], zero for those that are rounding."""
+    return np.where(np.abs(tilt) > NO_TILT, tilt, 0.0)

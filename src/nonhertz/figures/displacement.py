@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nonhertz import bearing
 from nonhertz.amounts import um
+from nonhertz.bearing.equilibrium import drop_tilt_rounding
 from nonhertz.errors import ConvergenceError, InputError, without_accuracy_warnings
 from nonhertz.figures.forces import NO_FORCE, conditions, directions
 from nonhertz.figures.value import Axis, Figure, Line, Mark, Panel, Points
@@ -22,7 +23,6 @@ Array = NDArray[np.float64]
 # Multiples of the load: close together where clearance makes the curve steep.
 MULTIPLES = 1.5 * (np.arange(1, 7) / 6.0) ** 2
 POINTS = 201
-NO_TILT = 1e-12  # rad
 TANGENT = 0.5  # of the load, to both sides
 ROOM = 1.08  # upper end of the axis over the largest displacement
 
@@ -81,7 +81,7 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
     They are NaN where no solution was found.
     """
     forces = _forces(solution)
-    rotation = np.where(np.abs(solution.displacement[3:]) > NO_TILT, solution.displacement[3:], 0.0)
+    rotation = drop_tilt_rounding(solution.displacement[3:])
     how: dict[str, Any] = {"maps": maps} if maps is not None else {"method": solution.method}
     how |= {"speed": _speed(solution), "tilt": tuple(rotation.tolist())}
     states = {multiple: _one(solution, {k: multiple * v for k, v in forces.items()}, how) for multiple in MULTIPLES}

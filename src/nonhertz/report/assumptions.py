@@ -19,7 +19,7 @@ import numpy as np
 
 from nonhertz.amounts import format_digits, format_error, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalRollerBearing, RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.equilibrium import TOLERANCE
+from nonhertz.bearing.equilibrium import TOLERANCE, drop_tilt_rounding
 from nonhertz.bearing.ribs import Rib
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
@@ -43,7 +43,6 @@ NO_ERROR = 1e-12  # relative: rounding
 MOST_TILT = NOTABLE
 COUNTS = 0.1  # of the largest load: of contacts that bear less the errors are relative to little
 NO_INPUT = "not an input"
-_NO_TILT = 1e-12  # rad: rounding
 _PARTS = {"Body a is thick": "Rollers are thick", "Body b is thick": "Rings are thick"}
 
 
@@ -317,7 +316,7 @@ def _judge_whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     if solution.bearing.rows[0].bearing.roller.behind.shown != "finite":
         return
     j = most_loaded(solution)
-    tilt = np.where(np.abs(solution.tilt[j]) > _NO_TILT, solution.tilt[j], 0.0)
+    tilt = drop_tilt_rounding(solution.tilt[j])
     loads, tilts = newton(*solution.load[j], between=" and "), mrad(*tilt, between=" and ")
     number = f"{loads:4}, tilted by {tilts:4}, at inner and outer ring"
     remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
