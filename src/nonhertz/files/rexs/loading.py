@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
+from nonhertz.bearing.spectrum import shares_of_revolutions
 from nonhertz.files.rexs import attributes as table
 from nonhertz.files.rexs.attributes import number_of, word_of
 from nonhertz.files.rexs.model import Attributes, Model
@@ -84,9 +85,11 @@ def _spectrum(
 
 def _of_revolutions(timed: list[tuple[dict[str, Any], float]]) -> list[dict[str, Any]]:
     """Return loads with their shares of revolutions, from those of the time."""
-    turns = [time * (load.get("speed") or 1.0) for load, time in timed]
-    scale = min(1.0, sum(time for _, time in timed)) / sum(turns)
-    return [load | {"share": scale * turn} for (load, _), turn in zip(timed, turns, strict=True)]
+    whole = sum(time for _, time in timed)
+    speeds = [load.get("speed") or 1.0 for load, _ in timed]
+    shares = shares_of_revolutions([time / whole for _, time in timed], speeds)
+    # In load cases that are not among these the bearing turns without load.
+    return [load | {"share": min(1.0, whole) * share} for (load, _), share in zip(timed, shares, strict=True)]
 
 
 def _load_of(state: Attributes, flipped: bool) -> dict[str, Any]:
