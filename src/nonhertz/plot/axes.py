@@ -89,12 +89,6 @@ def measure(unit: str, read: str = "", values: Iterable[float] = ()) -> Measure:
     return Measure(*amount(values, unit, read).scale)
 
 
-def open_frame(*several: Axes) -> None:
-    """Leave out the lines above and to the right."""
-    for axes in several:
-        axes.spines[["top", "right"]].set_visible(False)
-
-
 def key_above(
     ax: Axes,
     handles: Sequence[Artist] | None = None,
