@@ -237,7 +237,7 @@ def test_an_evenly_loaded_bearing_has_a_closed_composition():
     assert_allclose(lives.even[0], [ring, ring, ring * 2.0 ** (-8.0 / 9.0)], rtol=1e-7)
     contact = B.solve(THRUST, axial=10e3).contact(0)
     model = nh.life.lundberg_palmgren()
-    seen = section_exposure(contact, "b")
+    seen = section_exposure(contact, body="b")
     assert_allclose(seen.orthogonal_shear, seen.orthogonal_shear[::-1], rtol=1e-6)
     relative = (seen.reference.damage(model) / seen.damage(model)) ** (8.0 / 9.0)
     assert lives.inner == pytest.approx(ring * relative, rel=1e-7)
@@ -345,7 +345,7 @@ def test_sections_are_good_at_the_peak_of_a_corner():
     roller = nh.Roller(diameter=10, length=9.6, corner_radius=0.5, profile=nh.profile.crown(2000))
     contact = nh.solve(nh.Contact(roller, nh.Ring(diameter=-75.0)), load=4e3, tilt=7e-4)
     assert contact.max_pressure > 1.4 * contact.centre_pressure[contact.centre_pressure.size // 2]
-    seen, sections = nh.life.exposure(contact, body="a"), section_exposure(contact, "a")
+    seen, sections = nh.life.exposure(contact, body="a"), section_exposure(contact, body="a")
     for model in (nh.life.lundberg_palmgren(), nh.life.ioannides_harris(fatigue_limit=200.0)):
         # In life: damage to the power 8 / 9.
         assert sections.damage(model) == pytest.approx(seen.damage(model), rel=0.015)

@@ -176,7 +176,7 @@ def test_at_a_sharp_end_it_is_said_what_is_not_counted():
 def test_nothing_else_is_left_out():
     edges = np.union1d(np.linspace(-6.0, 6.0, 22), [-5.98, -5.96, -5.8, 5.8, 5.96, 5.98])
     solution = solved(profile=nh.profile.straight(), strips=edges)
-    found = section_exposure(solution, "a")
+    found = section_exposure(solution, body="a")
     from_end = np.min([np.hypot(found.y[:, None] - end, found.z) for end in solution.contact.interval], axis=0)
     np.testing.assert_array_equal(found.counted, from_end >= LEFT_OUT * solution.max_half_width)
     assert not np.all(found.counted)

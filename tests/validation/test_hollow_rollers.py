@@ -126,7 +126,7 @@ def test_volume_life_counts_all_of_the_wall(bore, load):
 def test_lives_by_sections_take_the_whole_field_of_a_hollow_roller():
     """By sections in plane strain this one would live 50 times as long, by maximum shear."""
     solution = solved(20, 16, 4e3, radius=2000, options={"strips": 7})
-    whole, sections = nh.life.exposure(solution, body="a"), section_exposure(solution, "a")
+    whole, sections = nh.life.exposure(solution, body="a"), section_exposure(solution, body="a")
     np.testing.assert_array_equal(sections.shear, whole.shear)
 
 

@@ -243,7 +243,7 @@ def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Se
     evaluate = cache(section_exposure if field == "sections" else exposure)
 
     def seen(contact: Solution | None, body: BodyName) -> Exposure | None:
-        return None if contact is None else evaluate(contact, body)
+        return None if contact is None else evaluate(contact, body=body)
 
     bodies: tuple[BodyName, ...] = ("b", "a")
     return [[seen(solution.contact(j, ring), body) for j in rollers] for body in bodies for ring in RINGS]

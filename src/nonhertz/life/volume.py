@@ -171,7 +171,7 @@ def exposure(solution: Solved, *, body: BodyName = "a", **options: Unpack[Runnin
     return _make_exposure(solution, body, (y, width, half_width, z, height), amplitudes)
 
 
-def section_exposure(solution: Solved, body: BodyName) -> Exposure:
+def section_exposure(solution: Solved, *, body: BodyName = "a") -> Exposure:
     """Return the exposure with every cross-section in plane strain under its own pressure, which costs next to nothing.
 
     All sections are alike but for pressure and half-width. Where these change along the contact, the orthogonal shear
