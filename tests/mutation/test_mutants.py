@@ -133,7 +133,6 @@ def test_tests_of_rooms_are_there():
         assert [each for each in tests if not (ROOT / "tests" / each).is_file()] == []
 
 
-@pytest.mark.slow
 def test_what_is_explained_is_there():
     """A function that has another name, or is gone, takes its explanations along."""
     rooms = [everything(room) for room in TESTS]
