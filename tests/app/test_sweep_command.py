@@ -52,11 +52,11 @@ def test_a_plan_is_checked_and_swept(folder, run):
 
 def test_how_long_the_rows_take_is_said_first_and_where_they_continue(capsys):
     announce = report_rows(None)
-    announce(Progress(done=0, total=10_000, found=0, seconds=236.0))
-    announce(Progress(done=5495, total=10_000, found=5495, seconds=9.0))
-    announce(Progress(done=0, total=12, found=0, seconds=None))
-    announce(Progress(done=6000, total=10_000, found=5495))
-    announce(Progress(done=12, total=12, found=12))
+    announce(Progress(done=0, total=10_000, resumed=0, seconds=236.0))
+    announce(Progress(done=5495, total=10_000, resumed=5495, seconds=9.0))
+    announce(Progress(done=0, total=12, resumed=0, seconds=None))
+    announce(Progress(done=6000, total=10_000, resumed=5495))
+    announce(Progress(done=12, total=12, resumed=12))
     first, second, third = capsys.readouterr().err.splitlines()
     assert (first, second) == ("10000 rows, about 4 minutes", "continuing from 5495 of 10000 rows")
     assert third == "all 12 rows were there"

@@ -154,7 +154,7 @@ def test_a_sweep_goes_on_where_it_was_stopped(tmp_path):
     assert seen == [0, 3]
     begun = []
     whole = nh.sweep(CASE, over=over, quantities=("approach",), out=tmp_path, callback=begun.append, workers=1)
-    assert (begun[0].done, begun[0].found) == (3, 3)
+    assert (begun[0].done, begun[0].resumed) == (3, 3)
     assert begun[0].seconds > 0.0
     assert {each.seconds for each in begun[1:]} == {None}
     assert (begun[-1].done, begun[-1].total) == (130, 130)
@@ -252,10 +252,46 @@ def test_rows_are_written_to_the_last_bit(tmp_path):
     assert lines[2].startswith("1,1000000000000.0,0.0,,")
     frame = polars.read_parquet(tmp_path / "rows.parquet")
     assert frame["approach [mm]"].to_list() == [found["approach"][0, 0], None]
-    pandas = found.to_dataframe()
-    assert pandas["approach"][0] == found["approach"][0, 0]
-    assert pandas.attrs["units"]["approach"] == "mm"
-    assert pandas["failure"][1] == found.failures[1]
+
+
+def test_a_data_frame_is_indexed_by_what_was_swept():
+    found = nh.sweep(CASE, over={"load.load": [5e3, 1e12], "load.tilt": [0.0]}, quantities=("approach",))
+    frame = found.to_dataframe()
+    assert frame.index.names == ["load.load", "load.tilt"]
+    assert list(frame.columns) == ["approach", "failure"]
+    assert frame.loc[(5e3, 0.0), "approach"] == found["approach"][0, 0]
+    assert frame.loc[(1e12, 0.0), "failure"] == found.failures[1]
+    assert frame.attrs["units"] == {"load.load": "N", "load.tilt": "rad", "approach": "mm"}
+    words = nh.sweep(CASE, over={"body.a.side_faces": ["none", "free"]}, quantities=("approach",)).to_dataframe()
+    assert words.index.name == "body.a.side_faces"
+    assert words.index.tolist() == ["none", "free"]
+
+
+def test_samples_are_numbered_in_a_data_frame_and_their_values_are_columns():
+    over = {"body.a.diameter": "normal(20 mm, 5 um)", "load.load": [5e3, 8e3]}
+    found = nh.sweep(CASE, over=over, samples=3, quantities=("approach",))
+    frame = found.to_dataframe()
+    assert frame.index.names == ["load.load", "sample"]
+    assert frame.index.tolist() == [(load, number) for load in (5e3, 8e3) for number in range(3)]
+    assert list(frame.columns) == ["body.a.diameter", "approach", "failure"]
+    assert frame.loc[(8e3, 2), "body.a.diameter"] == found["body.a.diameter"][1, 2]
+    assert frame.loc[8e3, "body.a.diameter"].tolist() == frame.loc[5e3, "body.a.diameter"].tolist()
+
+
+def test_a_data_frame_of_a_sweep_that_was_stopped_has_the_rows_that_are_solved():
+    def stop(progress):
+        if progress.done:
+            raise KeyboardInterrupt
+
+    # Loads change fastest where rows are solved, diameters where they are numbered: the first three are 0, 2 and 4.
+    over = {"load.load": [5e3, 1e12, 6e3, *range(7000, 7063)], "body.a.diameter": [20.0, 22.0]}
+    with pytest.raises(nh.Interrupted) as stopped:
+        nh.sweep(CASE, over=over, quantities=("approach",), workers=1, callback=stop)
+    study = stopped.value.solutions
+    frame = study.to_dataframe()
+    assert frame.index.tolist() == [(5e3, 20.0), (1e12, 20.0), (6e3, 20.0)]
+    assert frame["failure"].tolist() == ["", study.failures[2], ""]
+    assert frame["approach"].notna().tolist() == [True, False, True]
 
 
 def test_a_bearing_is_swept_too():

@@ -112,15 +112,15 @@ def report_rows(update: Update | None) -> Callable[[Progress], object]:
     """Return what says before the first row how many there are and how long they take, and shows how many are done."""
 
     def announce(come: Progress) -> None:
-        if come.done == come.found:
-            complete = f"all {come.total} rows were there" if come.found == come.total else ""
-            notices = [complete or f"continuing from {come.found} of {come.total} rows"] if come.found else []
+        if come.done == come.resumed:
+            complete = f"all {come.total} rows were there" if come.resumed == come.total else ""
+            notices = [complete or f"continuing from {come.resumed} of {come.total} rows"] if come.resumed else []
             if come.seconds is not None and come.seconds >= WORTH_SAYING:
-                notices.append(f"{come.total - come.found} rows, {round_time(come.seconds)}")
+                notices.append(f"{come.total - come.resumed} rows, {round_time(come.seconds)}")
             if notices:
                 print("; ".join(notices), file=sys.stderr, flush=True)
         if update is not None:
-            update(come.done, come.total, come.found)
+            update(come.done, come.total, come.resumed)
 
     return announce
 

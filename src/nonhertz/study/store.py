@@ -166,6 +166,10 @@ class Store:
             return np.array(values, dtype=object)
         return np.array([math.nan if value is None else value for value in values], dtype=float)
 
+    def row_numbers(self) -> NDArray[np.int64]:
+        """Return the numbers of all rows that are there, ascending."""
+        return np.array([number for (number,) in self._read("select number from rows order by number")], dtype=np.int64)
+
     def extremes(self, name: str) -> tuple[float, float] | None:
         """Return the smallest and the largest number of a column; None if it has none."""
         place = f"n{self.names.index(name)}"

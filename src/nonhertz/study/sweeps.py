@@ -46,6 +46,7 @@ OF_CONTACTS, OF_BEARINGS = 256, 16  # of so few in all, other processes would ta
 PORTIONS = 64  # at least, of a study of that many rows: for several processes to share
 WORTH_TIMING, TIMED = 16, 0.3  # rows from which their time is measured first, and how long that takes at least [s]
 REASONS = 5
+SAMPLE = "sample"  # the level of a data frame that counts samples
 _FEW_VALUES = 6
 
 Portion = tuple[int, list[int], list[tuple[Any, ...]]]  # its number, those of its rows, and their values
@@ -59,8 +60,8 @@ class Progress:
     ----------
     done, total : int
         Rows that are there, and all.
-    found : int
-        Rows that were there before it began.
+    resumed : int
+        Rows of an earlier run, from which it continues.
     seconds : float or None
         Before the first row only: about how long those that are missing take, by a few of them; None if there are few,
         or a cluster solves them.
@@ -68,7 +69,7 @@ class Progress:
 
     done: int
     total: int
-    found: int
+    resumed: int
     seconds: float | None = None
 
 
@@ -215,7 +216,10 @@ class Sweep(HasHtml):
         return name
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return a pandas DataFrame: a row for each point, a column for each path and quantity, and the failure.
+        """Return a pandas DataFrame: a row for each point, a column for each quantity and one for the failure.
+
+        The index has a level for each path that has a list of values and, with distributions, one for the number of the
+        sample, whose values are columns. Units are in ``attrs["units"]``. Rows that are not solved yet are left out.
 
         Raises
         ------
@@ -225,8 +229,13 @@ class Sweep(HasHtml):
         pandas = library("pandas", "to_dataframe")
         names = (*self.paths, *(quantity.name for quantity in self.quantities))
         frame = pandas.DataFrame({name: self._store.column(name) for name in names})
-        failures = self.failures
-        frame["failure"] = [failures.get(number, "") for number in range(len(frame))]
+        failures, rows = self.failures, self._store.row_numbers()
+        frame["failure"] = [failures.get(number, "") for number in rows.tolist()]
+        axes = [*self.paths[: len(self._points.lists)]]
+        if self._points.distributions:
+            frame[SAMPLE] = rows % self.shape[-1]
+            axes.append(SAMPLE)
+        frame = frame.set_index(axes)
         frame.attrs["units"] = {name: self.unit(name) for name in names}
         return frame
 
