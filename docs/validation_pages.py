@@ -8,7 +8,7 @@ comment that ends it is written anew:
     <!-- off ID -->0.01 %<!-- . -->   the largest difference, relative in per cent
     <!-- found ID -->0.27 mm<!-- . --> the number found
     <!-- overview -->                 how many claims each section has, and how many hold
-    <!-- table ID -->                 the claims by source and tolerance, with the largest difference of each
+    <!-- table ID -->                 the claims by source, with the largest difference for each tolerance
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from nonhertz.plot.style import sheet_style
 
 FOLDER = Path(__file__).parent / "validation"
 PLACE = re.compile(r"(<!-- (?P<what>off|found|table|overview) ?(?P<of>\S*) -->).*?(<!-- \. -->)", re.DOTALL)
-HEAD = ("claims", "compared with", "tolerance", "largest difference")
+HEAD = ("claims", "compared with", "largest difference (tolerance)")
 
 
 def filled(page: str, sections: Sequence[Section]) -> str:
@@ -67,17 +67,26 @@ def off(checks: Sequence[Check]) -> str:
 
 
 def by_source(checks: Sequence[Check]) -> str:
-    """Return a table of claims with the same source and tolerance."""
-    groups: dict[tuple[str, str], list[Check]] = {}
+    """Return a table of claims by source, with the largest difference for each tolerance."""
+    sources: dict[str, dict[str, list[Check]]] = {}
     for check in checks:
         _, source, *_, tolerance, _ = row(check)
         kind = f"{tolerance} {check.claim.unit}".strip() if check.claim.absolute and tolerance else tolerance
-        groups.setdefault((source, kind or "shown"), []).append(check)
+        sources.setdefault(source, {}).setdefault(kind or "shown", []).append(check)
     rows = [
-        (str(len(some)), source, tolerance, row(max(some, key=lambda check: abs(check.difference)))[4].split()[0])
-        for (source, tolerance), some in groups.items()
+        (
+            str(sum(map(len, groups.values()))),
+            source,
+            ", ".join(f"{largest_difference(group)} ({tolerance})" for tolerance, group in groups.items()),
+        )
+        for source, groups in sources.items()
     ]
-    return table(HEAD, rows, numbers=(HEAD[0], *HEAD[2:]))
+    return table(HEAD, rows, numbers=HEAD[:1])
+
+
+def largest_difference(checks: Sequence[Check]) -> str:
+    """Return the largest difference of some claims as a power of ten."""
+    return row(max(checks, key=lambda check: abs(check.difference)))[4].split()[0]
 
 
 def main() -> None:

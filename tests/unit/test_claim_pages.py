@@ -3,6 +3,9 @@
 import json
 import math
 import pkgutil
+import re
+from fnmatch import filter as matching
+from pathlib import Path
 
 import pytest
 
@@ -111,3 +114,12 @@ def test_claims_are_data_until_their_numbers_are_asked_for(monkeypatch):
     monkeypatch.setattr(nh.solver.one, "problem_of", lambda *_: pytest.fail("something was solved"))
     every = [claim for name in claims.CATALOGUE for claim in claims.claims(name)]
     assert len(every) == len({claim.id for claim in every}) == 652
+
+
+def test_what_the_pages_name_are_claims():
+    ids = [claim.id for name in claims.CATALOGUE for claim in claims.claims(name)]
+    pages = (Path(__file__).parents[2] / "docs" / "validation").glob("*.md")
+    text = "".join(page.read_text("utf-8") for page in pages)
+    patterns = [part for names in re.findall(r"<!-- (?:off|found|table) (\S+) -->", text) for part in names.split(",")]
+    assert len(patterns) > 50
+    assert [pattern for pattern in patterns if not matching(ids, pattern)] == []
