@@ -14,6 +14,7 @@ import contextlib
 import doctest
 import importlib.util
 import io
+import itertools
 import os
 import re
 import shlex
@@ -69,6 +70,7 @@ STRIP_AT, STRIP_WIDTH, SKETCHED = 0.18, 0.12, 2.55
 
 PYCON = re.compile(r"^```pycon\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 STEP = re.compile(r"<!-- edit: `(?P<old>.*?)` to `(?P<new>.*?)` -->|```console\n(?P<lines>.*?)```", re.DOTALL)
+NUMBER = re.compile(r"-?\d+\.?\d*(?:e[+-]\d+)?")
 
 
 def main() -> None:
@@ -332,8 +334,17 @@ def _step(found: re.Match[str]) -> str:
         edit(case, found["old"], found["new"])
         return found[0]
     commands = [line for line in found["lines"].splitlines() if line.startswith("$ nonhertz ")]
-    shown = [f"{line}\n{nonhertz_quietly(shlex.split(line)[2:])}" for line in commands]
+    shown = [f"{line}\n{abridged(nonhertz_quietly(shlex.split(line)[2:]), found['lines'])}" for line in commands]
     return "```console\n" + "".join(shown) + "```"
+
+
+def abridged(printed: str, before: str) -> str:
+    """Return an output without the lines for which a page shows dots; lines are the same if only numbers differ."""
+    if "...\n" not in before:
+        return printed
+    shown = {NUMBER.sub("0", line) for line in before.splitlines()}
+    lines = (line if NUMBER.sub("0", line) in shown else "..." for line in printed.splitlines())
+    return "".join(f"{line}\n" for line, _ in itertools.groupby(lines))
 
 
 def nonhertz_quietly(words: list[str]) -> str:
