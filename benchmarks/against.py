@@ -1,4 +1,4 @@
-"""Speed against an earlier revision, on the same cases in turn. Writes docs/benchmarks/against.{json,md}.
+"""Speed against an earlier revision, on the same cases in turn.
 
     python benchmarks/against.py REVISION [--rounds N]
 
@@ -9,7 +9,6 @@ better day. Ratios are medians of pairs.
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import subprocess
 import sys
@@ -21,7 +20,6 @@ import numpy as np
 from machine import machine
 
 ROOT = Path(__file__).parents[1]
-FOLDER = ROOT / "docs" / "benchmarks"
 # Of either revision, whose own benchmarks know the cases by the same names.
 WORKER = """
 import sys, time
@@ -43,7 +41,7 @@ with cases.one_thread():
 
 
 def main() -> None:
-    """Measure and write."""
+    """Measure and print."""
     asked = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     asked.add_argument("revision", help="what to compare with, as git knows it")
     asked.add_argument("--rounds", type=int, default=25)
@@ -57,8 +55,6 @@ def main() -> None:
             subprocess.run(["git", "worktree", "remove", "--force", before], cwd=ROOT, check=True)
     results["revision"] = git("rev-parse", "--short", options.revision)
     results["date"] = git("log", "-1", "--format=%as", options.revision)
-    (FOLDER / "against.json").write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    (FOLDER / "against.md").write_text("\n".join(page(results)), encoding="utf-8")
     print("\n".join(page(results)))
 
 
@@ -117,15 +113,11 @@ def git(*words: str) -> str:
 
 
 def page(results: dict[str, Any]) -> list[str]:
-    """Return the lines of the page."""
+    """Return what was measured as lines of Markdown."""
     computer = results["machine"]
     lines = [
-        "# Against an earlier revision",
-        "",
-        f"Written by `benchmarks/against.py {results['revision']}`; do not edit. Both revisions solved the same cases",
-        f"in turn, on one thread, after a first time; ratios are medians of pairs. {computer['processor']},",
-        f"{computer['cores']} cores, load average {computer['load']} at the start.",
-        f"Before: {results['revision']} of {results['date']}.",
+        f"Before: {results['revision']} of {results['date']}. {computer['processor']}, {computer['cores']} cores,",
+        f"load average {computer['load']} at the start; one thread, medians.",
         "",
         "| case | before | now | before / now |",
         "|---|---|---|---|",
@@ -134,7 +126,7 @@ def page(results: dict[str, Any]) -> list[str]:
         lines.append(
             f"| {name} | {1e3 * entry['before']:.3g} ms | {1e3 * entry['now']:.3g} ms | {entry['ratio']:.2f} |"
         )
-    return [*lines, ""]
+    return lines
 
 
 if __name__ == "__main__":

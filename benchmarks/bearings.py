@@ -133,8 +133,8 @@ def page(found: dict[str, Any]) -> str:
         "# What whole bearings cost",
         "",
         f"Written by `benchmarks/bearings.py`; do not edit. {found['machine']['processor']}, load average",
-        f"{found['machine']['load']} at the start. Medians of {ROUNDS} rounds in which",
-        "the ways take turns, on one thread; the least in brackets. Strips start cold.",
+        f"{found['machine']['load']}, one thread. Medians of {ROUNDS} rounds in turn, the least in brackets.",
+        "Strips start cold.",
         "",
         "| | strips | maps made before | slices |",
         "|---|--:|--:|--:|",
@@ -149,7 +149,7 @@ def page(found: dict[str, Any]) -> str:
     lines += [
         "",
         f"{STATES:,} states of the cylindrical bearing by maps, loads by tilts: {one:.2g} s on one thread,",
-        f"{two:.2g} s on two; the target is {STATES_TARGET:.0f} s on two.",
+        f"{two:.2g} s on two (target {STATES_TARGET:.0f} s).",
         "",
     ]
     return "\n".join(lines)

@@ -178,9 +178,9 @@ def page(found: dict[str, Any]) -> str:
     return f"""# How long the page waits
 
 Written by `benchmarks/page.py`; do not edit. {about["processor"]}, {about["cores"]} cores, load average
-{about["load"]} at the start. The case that `nonhertz serve` begins with, under another load each time.
+{about["load"]}. The case that `nonhertz serve` begins with, under another load each time.
 
-From a request to its whole answer over HTTP, {REQUESTS} of each, one after the other:
+From a request to its whole answer over HTTP, {REQUESTS} of each in turn:
 
 | | median | 95 % below | of which the worker |
 |---|--:|--:|--:|
@@ -207,10 +207,10 @@ def dragging(sliders: dict[str, Times] | None) -> str:
     )
     return "\n".join(
         (
-            "In a browser a mouse drags a slider, 60 steps a second. From a step to the figures it led to; the target",
-            f"is a median of {shown(TARGET)}:",
+            "A mouse drags a slider in a browser, 60 steps a second. From a step to its figures (target: a median of",
+            f"{shown(TARGET)}):",
             "",
-            "| slider of the | answers | median | 95 % below | with the stress redrawn |",
+            "| slider | answers | median | 95 % below | stress redrawn |",
             "|---|--:|--:|--:|--:|",
             *rows,
         )

@@ -19,18 +19,18 @@ NOT_REACHED = "not reached"
 INTRODUCTION = """\
 # Race against other programs
 
-Written by `benchmarks/race.py` (`make bench`); do not edit. Measured in one run of {minutes:.1f} minutes, on {threads}:
-{processor}, {cores} cores, load average {load} at the start; {versions}.
+Written by `benchmarks/race.py` (`make bench`); do not edit. One run of {minutes:.1f} minutes on {threads}: {processor},
+{cores} cores, load average {load}; {versions}.
 """
 
 ARRIVALS = """\
 ## Time to reach a given accuracy
 
-Time of the cheapest grid that meets the target, provided that all finer grids of the same program meet it too. In
-brackets the grid: strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is
-`nonhertz.patch`. Many at once: {cases} loads, up to {less:.0f} % apart, in one call of `solve_many`, the time divided
-by their number; "reused" is the automatic grid of the middle load, used for all. The last columns: how many times as
-fast as the best peer strips are, with the target in brackets, and as the plane grid.
+Time of the cheapest grid that meets the target, as all finer grids of the same program must. In brackets the grid:
+strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is `nonhertz.patch`. Many at
+once: {cases} loads, up to {less:.0f} % apart, in one `solve_many`, the time for each; "reused" is the automatic grid of
+the middle load. The last columns: how many times as fast as the best peer strips are (target in brackets), and as the
+plane grid.
 """
 
 DRAWINGS = """\
@@ -38,28 +38,28 @@ DRAWINGS = """\
 
 ![Error of approach and of maximum pressure against time](race.svg)
 
-Filled marks: automatic and reused grids, and cells sixteen times as many along as across. Open: equal strips, four
-times as many, and as many (ASPHER). Shaded: below the uncertainty of the reference. Every entry is in
-[race.json](race.json); errors at the centre are drawn [here](race-centre.svg).
+Filled: automatic and reused grids, and sixteen times as many cells along as across. Open: equal strips, four times as
+many, and as many (ASPHER). Shaded: below the uncertainty of the reference. All entries: [race.json](race.json);
+errors at the centre: [race-centre.svg](race-centre.svg).
 """
 
 RULES = """\
 ## Rules
 
-- All plane grids solve the same equations on the same cells: rectangles of uniform pressure on half-spaces under a
-  load. Their solutions are checked to agree.
-- Each runs with its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the
-  maximum pressure on its grid, a tenth of the target above.
-- Plane grids get a rectangle that just encloses the contact, with sharp ends on edges of cells; strips find it.
-  ASPHER has square cells on a square only, as long as the rectangle: most of its cells lie beside the contact, and it
-  has no part in the common grid.
-- Set-up that a peer can reuse is not timed. Ours is timed from contact to answer.
+- All plane grids solve the same equations on the same cells, rectangles of uniform pressure on half-spaces under a
+  load, and their solutions are checked to agree.
+- Each has its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the maximum
+  pressure on its grid, a tenth of the target.
+- Plane grids get a rectangle that just encloses the contact, with sharp ends on edges of cells; strips find it. ASPHER
+  has only square cells on a square as long as the rectangle, most of them beside the contact, and no part in the common
+  grid.
+- Set-up that a peer can reuse is not timed; ours is.
 - ContactMechanics and ASPHER run their fastest solver for a prescribed load: {winners}.
   tamaas starts from zero pressure. All are as pip installs them; pip builds ASPHER on this machine.
-- Each program, contact and grid has its own process; the time is the median of at least five runs after a first, or of
-  as many as fit into a second. Solves longer than {dearest} s are left out.
-- The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`), so that the error
-  of strips at the end of a contact counts against them.
+- Each program, contact and grid has its own process: the median of at least five runs after a first, or of as many as
+  fit into a second. Solves over {dearest} s are left out.
+- The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`), so that errors of
+  strips at the end of a contact count.
 """
 
 
@@ -87,11 +87,15 @@ def page(results: dict[str, Any]) -> Iterator[str]:
 
 
 def _arrivals(results: dict[str, Any]) -> Iterator[list[str]]:
+    before = None
     for row in results["headlines"]:
+        # The contact stands in the first of its rows.
+        title = "" if row["race"] == before else results["races"][row["race"]]["title"]
+        before = row["race"]
         cells = (_arrival(row["cheapest"][program], program in results["missing"]) for program in LABELS)
         judged = [f"{_times(row[f'{way} against peer'])} ({target:g})" for way, target in _targets(row).items()]
         ratios = *judged, _times(row["strips against patch"])
-        yield [results["races"][row["race"]]["title"], _asked(row), *cells, *ratios]
+        yield [title, _asked(row), *cells, *ratios]
 
 
 def _verdict(results: dict[str, Any]) -> str:
@@ -102,10 +106,8 @@ def _verdict(results: dict[str, Any]) -> str:
         return "No peer can be compared with.\n"
     judged = [(row[f"{way} against peer"] or 0.0) >= target for row in rows for way, target in _targets(row).items()]
     least, most = (_times(ratio) for ratio in (min(ratios), max(ratios)))
-    return (
-        f"Against the best peer the ratio lies between {least} and {most}. The target is met in\n"
-        f"{sum(judged)} of {len(judged)} comparisons.\n"
-    )
+    met = f"{sum(judged)} of {len(judged)}"
+    return f"The ratio to the best peer is {least} to {most}; {met} comparisons meet the target.\n"
 
 
 def _targets(row: dict[str, Any]) -> dict[str, float]:
@@ -119,7 +121,7 @@ def _full_size(full: dict[str, Any], races: dict[str, Any]) -> Iterator[str]:
     if not entries:
         return
     yield f"## Plane grids on {_grid(entries[0]['grid'])} cells\n"
-    yield f"{races[full['race']]['title']}; the same cells and the same algebraic error for all.\n"
+    yield f"{races[full['race']]['title']}; the same cells and algebraic error for all.\n"
     rows = (
         [_named(entry), _time(entry["time"]), str(entry["runs"]), _memory(entry["memory"]), *_errors(entry)]
         for entry in entries

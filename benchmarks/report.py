@@ -39,7 +39,6 @@ CONTENTS = """```{toctree}
 :hidden:
 
 race
-against
 page
 first-picture
 bearings
@@ -201,33 +200,24 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     versions = ", ".join(f"{name} {version}" for name, version in computer["versions"].items())
     yield "# Speed"
     yield ""
-    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Everything was measured in one run: medians,"
+    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Medians of one run,"
     yield f"{computer['threads']} thread. {computer['processor']}, {computer['cores']} cores, load average"
-    yield f"{computer['load']} at the start; {versions}."
+    yield f"{computer['load']}; {versions}."
     yield ""
-    yield "[Other programs](race.md); [an earlier state](against.md); [the page](page.md);"
-    yield "[first steps](first-picture.md); [whole bearings](bearings.md); [gradients](gradients.md);"
-    yield "[studies](studies.md)."
+    yield "[Other programs](race.md), [the page](page.md), [first steps](first-picture.md),"
+    yield "[whole bearings](bearings.md), [gradients](gradients.md), [studies](studies.md)."
     yield ""
     yield from targets(results)
     yield "## Cost against strips"
     yield ""
     yield "![Time of a solve against the number of equal strips](cost-against-strips.svg)"
     yield ""
-    yield f"From {GROWING} strips on the time grows as strips^{results['growth']:.2f}: the matrices have strips^2"
-    yield "entries, and solving takes strips^3 operations. Each solve includes those on coarser grids from which it"
-    yield "starts. The numbers, and where the time goes, are in [results.json](results.json)."
+    yield f"From {GROWING} strips on the time grows as strips^{results['growth']:.2f}: matrices have strips^2"
+    yield "entries, and solving takes strips^3 operations. A solve includes the coarser grids. Numbers, and where the"
+    yield "time goes, are in [results.json](results.json)."
     yield ""
-    yield "## Automatic grid"
-    yield ""
-    yield "| case | time | strips | Newton steps on the last grid | on all grids |"
-    yield "|---|---|---|---|---|"
-    for name, entry in results["automatic"].items():
-        steps = f"{entry['steps']} | {entry['steps on all grids']}"
-        yield f"| {name} | {_ms(entry['time'])} | {entry['strips']} | {steps} |"
-    yield ""
+    yield from automatic_grid(results)
     yield from many_cases(results)
-    yield from finite_bodies(results)
     yield from below(results)
     yield "## Starting"
     yield ""
@@ -236,6 +226,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     for name, seconds in commands.items():
         yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
     yield ""
+    yield CONTENTS
 
 
 def targets(results: dict[str, Any]) -> Iterator[str]:
@@ -248,9 +239,9 @@ def targets(results: dict[str, Any]) -> Iterator[str]:
     yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
     slowest_of_many = max(entry["one thread"] for entry in results["many"].values())
     least_gain = min(entry["gain"] for entry in results["many"].values())
-    label = f"{cases.STRIPS} equal strips, each of {cases.MANY} cases in `solve_many`, one thread"
+    label = f"the same, each of {cases.MANY} in `solve_many`, one thread"
     yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
-    yield f"| the same on two threads, how many times as fast | {cases.GAIN_TARGET} | {least_gain:.2f} |"
+    yield f"| gain on two threads | {cases.GAIN_TARGET} | {least_gain:.2f} |"
     largest = max(entry["ratio"] for entry in results["finite"].values())
     yield f"| faces and depth on both bodies, slowest case below | {cases.FINITE_TARGET} times | {largest:.2f} times |"
     label, entry = next((name, entry) for name, entry in results["below"].items() if "mirrored" in name)
@@ -263,9 +254,8 @@ def many_cases(results: dict[str, Any]) -> Iterator[str]:
     """Yield the lines of many cases in one call."""
     yield "## Many cases in one call"
     yield ""
-    yield f"{cases.MANY} cases on {cases.STRIPS} equal strips in one `solve_many`, on one thread and two in turn; the"
-    yield "time of the call over the number of cases, and the median of the ratios. In a sweep, each case starts from"
-    yield "the one before."
+    yield f"{cases.MANY} cases on {cases.STRIPS} equal strips in one `solve_many`: time for each, and the median gain."
+    yield "In a sweep, each case starts from the one before."
     yield ""
     yield "| cases | one thread | two threads | gain |"
     yield "|---|---|---|---|"
@@ -278,7 +268,7 @@ def below(results: dict[str, Any]) -> Iterator[str]:
     """Yield the lines of stress below the surface and life."""
     yield "## Below the surface"
     yield ""
-    yield "A logarithmic roller on a plate under tilt, solved beforehand; points at random down to three half-widths."
+    yield "Below a tilted logarithmic roller on a plate, without the solve; random points down to three half-widths."
     yield ""
     yield "| | one thread | two threads |"
     yield "|---|---|---|"
@@ -287,17 +277,21 @@ def below(results: dict[str, Any]) -> Iterator[str]:
     yield ""
 
 
-def finite_bodies(results: dict[str, Any]) -> Iterator[str]:
-    """Yield the lines of the comparison of half-spaces with finite bodies."""
-    yield "## Finite bodies"
+def automatic_grid(results: dict[str, Any]) -> Iterator[str]:
+    """Yield the lines of solves on the automatic grid, with half-spaces and finite bodies."""
+    yield "## Automatic grid"
     yield ""
-    yield "The same contacts between half-spaces and with mirrored faces (at four places of their own) and a depth on"
-    yield "both bodies, solved in turn; the ratio is the median of pairs."
+    yield "*Finite*: both bodies have mirrored faces (at four places of their own) and a depth; solved in turn with"
+    yield "half-spaces, with the median ratio. Newton steps are those on the last grid, and on all."
     yield ""
-    yield "| case | half-spaces | finite | ratio |"
-    yield "|---|---|---|---|"
-    for name, entry in results["finite"].items():
-        yield f"| {name} | {_ms(entry['half-spaces'])} | {_ms(entry['finite'])} | {entry['ratio']:.2f} |"
+    yield "| case | strips | steps | on all | time | half-spaces | finite | ratio |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for name, pair in results["finite"].items():
+        solve = [""] * 4
+        if alone := results["automatic"].get(name):
+            solve = [alone["strips"], alone["steps"], alone["steps on all grids"], _ms(alone["time"])]
+        cells = (name, *solve, _ms(pair["half-spaces"]), _ms(pair["finite"]), f"{pair['ratio']:.2f}")
+        yield f"| {' | '.join(map(str, cells))} |"
     yield ""
 
 

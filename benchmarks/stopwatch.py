@@ -88,9 +88,8 @@ def page(seconds: dict[str, float]) -> str:
     machine = f"{os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}"
     return f"""# How long a newcomer waits
 
-The steps of [start in ten minutes](../start.md), one after another in an empty folder, on a machine with
-{machine}. `make demo` includes the download of all packages
-and the compilation of the core. On a busy machine, or a slow line, these two take two to four minutes.
+The steps of [start in ten minutes](../start.md) in an empty folder, on {machine}.
+`make demo` downloads all packages and compiles the core: two to four minutes on a busy machine or a slow line.
 
 | step | takes |
 |---|--:|

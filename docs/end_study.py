@@ -95,16 +95,16 @@ def main() -> None:
 def _page() -> Iterator[str]:
     yield "# The strength of sharp ends, measured"
     yield ""
-    yield "Written by `docs/end_study.py`; do not edit. What it means is in [the theory](singular-ends.md#sharp-ends)."
+    yield "Written by `docs/end_study.py`; do not edit. [Theory](singular-ends.md#sharp-ends)."
     yield ""
     yield "Rollers of 20 mm diameter on a flat, both half-spaces of steel, with images that add up to kappa. The"
-    yield "reference leaves the pressure across free; `docs/end_study.py` says how. *Of strips* is K on the"
-    yield "reference's own fine strips over that of the reference, without the factor for the shape across; *reported*"
-    yield "is `strength` of a solve on the automatic grid over the same. *At the end* and *largest* are half-widths on"
-    yield "the automatic grid over those of the reference: that of the last strip, and `max_half_width`, the largest"
-    yield "more than a half-width from sharp ends."
+    yield "reference leaves the pressure across free (`docs/end_study.py`); the last four columns are over it. K *of"
+    yield "strips*: on its own fine strips, without the factor for the shape across; *reported*: `strength` of a solve"
+    yield "on the automatic grid. Half-widths of that solve: *at the end*, in the last strip, and *largest*,"
+    yield "`max_half_width`, more than a half-width from sharp ends."
     yield ""
-    head = "kappa", "length, load, crown", "half-width / length", "K", "of strips", "reported", "at the end", "largest"
+    roller = "length [mm], load [N], crown [mm]"
+    head = "kappa", roller, "half-width / length", "K", "of strips", "reported", "at the end", "largest"
     yield "| " + " | ".join(head) + " |"
     yield "|---|---|---|---|---|---|---|---|"
     for case in CASES:
@@ -125,7 +125,7 @@ def _row(case: Case) -> str:
     inside = float(largest_half_width(y, true.half_width, np.zeros(1))[0])
     cells = (
         f"{case.kappa:g}",
-        f"{case.length:g} mm, {case.load:g} N, {case.crown:g}",
+        f"{case.length:g}, {case.load:g}, {case.crown:g}",
         f"{true.half_width[-1] / case.length:.3f}",
         f"{strength:.2f}",
         f"{of_strips / strength:.4f}",

@@ -100,8 +100,8 @@ def main() -> None:
 def _head() -> Iterator[str]:
     yield "# Errors of the automatic grid, measured"
     yield ""
-    yield "Written by `docs/grid_study.py`; do not edit. What it means is in [grid.md](grid.md)."
-    yield "Errors are relative, in millionths (ppm), positive where strips give too much; 1000 ppm are 0.1 %."
+    yield "Written by `docs/grid_study.py`; do not edit. The method: [grid.md](grid.md)."
+    yield "Errors are relative, in ppm (1000 ppm: 0.1 %), positive where strips give too much."
     yield ""
 
 
@@ -124,7 +124,7 @@ def _hertz_table() -> Iterator[str]:
     yield "## Smooth ends: a Hertz ellipse"
     yield ""
     yield f"Rx 10, Ry {HERTZ_RADIUS:g} mm, {HERTZ_LOAD:g} N, steel; exact by `nonhertz.hertz.point_contact`."
-    yield f"Equal strips lie on abs(y) <= 1.3 a with a = {exact.half_length:.4f} mm, half the contact's length."
+    yield f"Equal strips lie on abs(y) <= 1.3 a, a = {exact.half_length:.4f} mm, half the contact's length."
     yield ""
     yield _row("strips", *(f"{e.name}: {q}" for e in ELEMENTS for q in ("approach", "p0", "b")))
     yield _rule(7)
@@ -146,23 +146,24 @@ def _hertz_table() -> Iterator[str]:
     series = np.abs(errors[nh.SEMI_ELLIPTIC.name])
     order = np.polyfit(-np.log(HERTZ_STRIPS), np.log(series), 1)[0]
     yield ""
-    yield f"The semi-elliptic error of the approach falls as strips^-{order:.2f}. The parabolic one ends at a"
-    yield "bias that belongs to the shape of the element."
+    yield f"The semi-elliptic error of the approach falls as strips^-{order:.2f}; the parabolic one ends at the bias"
+    yield "of its shape."
     yield ""
 
 
 def _sharp_tables() -> Iterator[str]:
     yield "## Sharp ends: how narrow the last strips"
     yield ""
-    yield "Roller 20 x 20 on a plate, 20 kN, upright. Strips grow from the ends inward by a factor of"
-    yield f"{END_GROWTH:g}, up to {WIDEST:g} mm. The last column is no error: it is the pressure"
-    yield "in the last strip times the root of its width. That tends to a constant, the pressure has no limit."
+    yield "Roller 20 x 20 on a plate, 20 kN, aligned. Strips grow inward"
+    yield f"by a factor of {END_GROWTH:g}, up to {WIDEST:g} mm."
+    yield "A dash: within the last strip. Last column: the pressure there times the root of its width, which tends to a"
+    yield "constant, since the pressure has no limit."
     for case in SHARP:
         yield ""
         yield f"### {case.name.capitalize()}, reference approach {1e3 * case.approach:.4f} um"
         yield ""
-        places = [f"p0 {_place(distance)}" for distance in case.pressures]
-        yield _row("end strip [mm]", "strips", "approach", *places, "last p0 x root of width [MPa mm^0.5]")
+        places = [_place(distance) for distance in case.pressures]
+        yield _row("end strip [mm]", "strips", "approach", *places, "last [MPa mm^0.5]")
         yield _rule(4 + len(places))
         for width in (*END_WIDTHS, None):
             strips = None if width is None else _graded_by_hand(10.0, width)
@@ -181,16 +182,16 @@ def _sharp_tables() -> Iterator[str]:
 def _pressure_error(solution: nh.Solution, distance: float, pressure: float) -> str:
     """Return the error of the pressure at a distance from the end, if that is not within the last strip."""
     if distance < solution.strip_width[-1]:
-        return "in the last strip"
+        return "-"
     return _ppm(_at(solution, 10.0 - distance, solution.centre_pressure) / pressure - 1.0)
 
 
 def _honesty_table() -> Iterator[str]:
     yield "## The estimate of the error, and the error"
     yield ""
-    yield f"Automatic grid. The error is that against a grid in which every strip is cut into {REFINEMENT};"
-    yield "the estimate includes what strips cannot do at a sharp end, the error here does not. p0 is the maximum"
-    yield "pressure more than a half-width from sharp ends; at a corner within the contact it has no limit."
+    yield f"Automatic grid, against a grid with every strip cut into {REFINEMENT}; only the estimate includes what"
+    yield "strips cannot do at a sharp end. p0 is the maximum pressure more than a half-width from sharp ends; at a"
+    yield "corner within the contact it has no limit."
     yield ""
     yield _row("case", "strips", "approach: estimate", "approach: error", "p0: estimate", "p0: error")
     yield _rule(6)
@@ -216,7 +217,7 @@ def _honesty_table() -> Iterator[str]:
     yield ""
     for quantity, values in ratios.items():
         middle, least = np.median(values), np.min(values)
-        yield f"Estimate over error, {quantity}: {middle:.2g} in the median, {least:.2g} at least."
+        yield f"Estimate over error, {quantity}: median {middle:.2g}, least {least:.2g}."
         yield ""
 
 
@@ -285,7 +286,7 @@ def _at(solution: nh.Solution, y: float, values: Array) -> float:
 
 
 def _place(distance: float) -> str:
-    return "in the middle" if distance == 10.0 else f"{distance:g} mm from the end"
+    return "p0 in the middle" if distance == 10.0 else f"{distance:g} mm from the end"
 
 
 def _ppm(relative: float) -> str:

@@ -29,22 +29,20 @@ CHOICES = (
     ("none", "plane-strain"), ("none", "cylinder"), ("none", "diameter"), ("none", "none"),
 )  # fmt: skip
 HEADINGS = (
-    "`side_faces`", "`depth`", "approach", "moment", "stiffness", "largest pressure", "near the end", "life, volume",
+    "`side_faces`, `depth`", "approach", "moment", "stiffness", "largest pressure", "near the end", "life, volume",
     "life, laminae",
 )  # fmt: skip
 
 _OPENING = """\
 # What each choice of side faces and depth changes
 
-Written by `docs/model_study.py`; do not edit. What the choices are is in
-[validity.md](model-choices.md#side-faces-what-to-choose).
+Written by `docs/model_study.py`; do not edit. The choices: [side faces, depth](model-choices.md).
 
-The choice is that of the roller, all of steel; the ring is a half-space without ends. The first row of each table is
-the whole roller with free ends, whose displacements agree with [three-dimensional finite
-elements](../validation/index.md) within 0.3 %; the others differ from it by as many per cent. *Moment* is that at
-the given tilt, *stiffness* the derivative of load by approach; *near the end* is the pressure one half-width inside the
-contact, at its more heavily loaded end. The lives are those of the ring relative to a uniform line contact, by Lundberg
-and Palmgren's integral over the volume and by the laminae of ISO/TS 16281.
+The choice is that of the roller, all of steel; the ring is a half-space without ends. The first row is the whole roller
+with free ends, whose displacements agree with [finite elements](../validation/whole-roller.md) within 0.3 %; the others
+differ from it by as many per cent. *Stiffness* is the derivative of load by approach; *near the end* the pressure one
+half-width inside the contact, at its more heavily loaded end. Lives are those of the ring relative to a uniform line
+contact, by Lundberg and Palmgren's volume and by the laminae of ISO/TS 16281.
 """
 
 
@@ -128,7 +126,7 @@ def _page() -> Iterator[str]:
         exact = found(case, REFERENCE, place)
         yield from ("", f"## {case.name}", "")
         yield f"| {' | '.join(HEADINGS)} |"
-        yield "|---|---|" + "---:|" * (len(HEADINGS) - 2)
+        yield "|---|" + "---:|" * (len(HEADINGS) - 1)
         yield _row(REFERENCE, _absolute(exact))
         for choice in CHOICES:
             other = zip(astuple(found(case, choice, place)), astuple(exact), strict=True)
@@ -165,7 +163,7 @@ def _absolute(exact: Found) -> list[str]:
 
 
 def _row(choice: tuple[str, str], cells: list[str]) -> str:
-    return "| " + " | ".join([*(f'`"{word}"`' for word in choice), *cells]) + " |"
+    return f"| {' | '.join([', '.join(choice), *cells])} |"
 
 
 if __name__ == "__main__":

@@ -60,10 +60,9 @@ def _example(name: str) -> Any:
 def _head() -> Iterator[str]:
     yield "# Errors and cost of the plane grid, measured"
     yield ""
-    yield "Written by `docs/patch_study.py`; do not edit. What it means is in [patch.md](patch.md)."
-    yield f"Times are from one thread of a machine with {os.cpu_count()} cores ({platform.machine()}), from cold and"
-    yield "with everything counted: finding the region, all coarser grids, the transform of the kernel. Least of up to"
-    yield f"{REPEATS} solves."
+    yield "Written by `docs/patch_study.py`; do not edit. The method: [patch.md](patch.md)."
+    yield f"Times: one thread of {os.cpu_count()} cores ({platform.machine()}), from cold, with the region, all coarser"
+    yield f"grids and the transform of the kernel; least of up to {REPEATS} solves."
     yield ""
 
 
@@ -90,8 +89,7 @@ def _cost_table() -> Iterator[str]:
     upper = slice(-4, None)
     order = np.polyfit(np.log(np.square(NUMBERS[upper])), np.log(seconds[upper]), 1)[0]
     yield ""
-    yield f"From {NUMBERS[-4]} x {NUMBERS[-4]} on, time grows as cells^{order:.2f}."
-    yield "Memory is as predicted by `nonhertz.patch.memory`."
+    yield f"From {NUMBERS[-4]} x {NUMBERS[-4]} on, time grows as cells^{order:.2f}. Memory: `nonhertz.patch.memory`."
     yield ""
 
 
@@ -123,7 +121,7 @@ def _hertz_table() -> Iterator[str]:
     exact = nh.hertz.point_contact(load=1000.0, radius_x=10.0, radius_y=100.0, compliance=bodies.compliance)
     yield "## Error: a Hertz ellipse"
     yield ""
-    yield "Rx 10, Ry 100 mm, 1000 N, steel; relative errors in millionths. The estimate is `error_estimate`."
+    yield "Rx 10, Ry 100 mm, 1000 N, steel; errors in ppm; the estimate is `error_estimate`."
     yield ""
     yield _row("cells", "approach", "estimate", "centre pressure", "maximum pressure", "estimate", "half-width")
     yield _rule(7)
@@ -150,10 +148,10 @@ def _sharp_table() -> Iterator[str]:
     straight = nh.Contact(nh.Roller(diameter=20, length=20, **HALF_SPACE), _plate())
     yield "## Error: up to sharp ends"
     yield ""
-    yield "Straight roller 20 x 20 on a flat, 20 kN, half-spaces; 64 cells across. Reference: an independent program"
-    yield "(tests/validation/data/D.json). The last column is Richardson's extrapolation of a row and the one before."
+    yield "Straight roller 20 x 20 on a flat, 20 kN, half-spaces; 64 cells across; against an independent program"
+    yield "(tests/validation/data/D.json). Last column: Richardson's extrapolation from two rows."
     yield ""
-    yield _row("cells along", "approach [ppm]", "estimate [ppm]", "extrapolated [ppm]")
+    yield _row("cells along", "approach [ppm]", "estimate", "extrapolated")
     yield _rule(4)
     before = None
     for number in SHARP_NUMBERS:
