@@ -71,7 +71,7 @@ def main(out: Path) -> None:
             maps = nh.bearing.maps(bearing, **reach, accuracy=MAPPED)
             ways = {
                 "strips": lambda b=bearing, g=given: nh.bearing.solve(b, **g),
-                "maps": lambda b=bearing, g=given, m=maps: nh.bearing.solve(b, **g, maps=m),
+                "maps": lambda b=bearing, g=given, m=maps: nh.bearing.solve(b, **g, method=m),
                 "slices": lambda b=bearing, g=given: nh.bearing.solve(b, **g, method="slices"),
             }
             found[name] = {"ms": in_turn(ways), "asked": counted(ways["strips"])}
@@ -122,7 +122,7 @@ def states(bearing: Any, maps: Any, threads: int) -> float:
     times = []
     for _ in range(STATES_ROUNDS):
         begun = time.perf_counter()
-        nh.bearing.solve_many(bearing, radial=radial, tilt=tilt, maps=maps, threads=threads)
+        nh.bearing.solve_many(bearing, radial=radial, tilt=tilt, method=maps, threads=threads)
         times.append(time.perf_counter() - begun)
     return float(np.median(times))
 

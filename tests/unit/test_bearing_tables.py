@@ -74,12 +74,12 @@ def test_halving_the_cells_quarters_what_linear_interpolation_is_off_by():
 def test_a_table_by_maps_is_that_by_strips():
     grid = {"y": [0.01, 0.02], "about_z": [0.0, 3e-4]}
     maps = B.maps(ROW, load=4e3, tilt=6e-4, accuracy=1e-3)
-    by_maps, by_strips = B.table(ROW, **grid, maps=maps), B.table(ROW, **grid, checks=0)
+    by_maps, by_strips = B.table(ROW, **grid, method=maps), B.table(ROW, **grid, checks=0)
     assert_allclose(by_maps.force[..., 1], by_strips.force[..., 1], rtol=2e-3, atol=1.0)
     assert np.all(np.isnan(by_strips.sampled_error()))
     assert "interpolated" not in repr(by_strips)
     with pytest.raises(nh.InputError, match="maps = 'too small' must reach to loads of"):
-        B.table(ROW, y=[0.0, 0.2], maps=maps)
+        B.table(ROW, y=[0.0, 0.2], method=maps)
 
 
 def test_a_turning_outer_ring_flings_rollers_as_in_single_states():

@@ -411,7 +411,7 @@ def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
         nh.bearing.BearingLoadCase(share=0.6, radial=6e3, tilt=2e-4, speed=1000.0),
     ]
     pairs = nh.bearing.solve_spectrum(case.bearing, cases, turning="outer", method="slices")
-    expected = nh.bearing.assess(pairs, viscosity=60.0, speed=[500.0, 1000.0], turning="outer")
+    expected = nh.bearing.assess(pairs, viscosity=60.0, speed=[500.0, 1000.0])
     assert case.assess(case.solve()) == expected
     case.write(tmp_path / "again.toml")
     again = read_bearing(tmp_path / "again.toml")

@@ -78,9 +78,7 @@ def test_a_bearing_in_grease_of_a_grade_has_a_modified_life_and_says_what_it_ass
     case = nh.read_bearing(path, {f"lubrication.{name}": value for name, value in oil.items()})
     found = case.solve("slices")
     life = case.assess(found)
-    expected = nh.bearing.assess(
-        found, speed=3000, viscosity=case.lubrication.in_place.viscosity, contamination=0.5, turning="inner"
-    )
+    expected = nh.bearing.assess(found, speed=3000, viscosity=case.lubrication.in_place.viscosity, contamination=0.5)
     assert life.modified_life == pytest.approx(expected.modified_life)
     assert math.isfinite(life.modified_life)
     said = [dict(each.numbers)["default"] for each in case.assumed]

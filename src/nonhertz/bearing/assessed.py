@@ -30,8 +30,8 @@ from nonhertz.bearing.lubrication import (
     reliability_factor,
 )
 from nonhertz.bearing.oil import OilInPlace
+from nonhertz.bearing.prescribed import TurningRing
 from nonhertz.bearing.ratings import Rating, axial_on_ribs, equivalent_loads, rating
-from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.errors import InputError
@@ -268,15 +268,6 @@ class LifeConditions(Input):
         Assumed("edge stress by the method", "L10r"),
     ] = None
     laminae: Annotated[int, Count("number of laminae", FEWEST, MOST, "give the number of laminae, 41 say")] = LAMINAE
-    turning: Annotated[
-        str,
-        Word(
-            "which ring turns: 'inner' or 'outer'; the other is at rest, as the loads are",
-            "name the ring that turns against the load",
-            RINGS,
-        ),
-        Assumed("inner ring turns", "L10r"),
-    ] = "inner"
     dynamic: Annotated[
         float | None,
         Quantity("N", "basic dynamic load rating C of a catalogue; that of ISO 281 if left out", positive, _RATING),
@@ -296,8 +287,8 @@ class LifeConditions(Input):
 
 
 @input_class(kw_only=True)
-class _Conditions(LifeConditions, OilInPlace):
-    """The same with the oil."""
+class _Conditions(TurningRing, LifeConditions, OilInPlace):
+    """The same with the oil and the ring that turns."""
 
 
 @document_parameters(OilInPlace, LifeConditions)
@@ -311,7 +302,6 @@ def assess(
     reliability: float = 0.9,
     edge_stress: str | None = None,
     laminae: int = LAMINAE,
-    turning: str = "inner",
     dynamic: float | None = None,
     static: float | None = None,
     required: float | str | None = None,
@@ -352,7 +342,6 @@ def assess(
         reliability=reliability,
         edge_stress=edge_stress,
         laminae=laminae,
-        turning=turning,
         dynamic=dynamic,
         static=static,
         required=required,
@@ -360,7 +349,8 @@ def assess(
     _check_oil(conditions, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple(
-        (_assess_one(state, conditions, pace), share) for (state, share), pace in zip(pairs, speeds, strict=True)
+        (_assess_one(state, replace(conditions, turning=state.turning), pace), share)
+        for (state, share), pace in zip(pairs, speeds, strict=True)
     )
     life = lives[0][0] if isinstance(solution, BearingSolution) else _combine_lives(lives, conditions)
     if conditions.required is None:

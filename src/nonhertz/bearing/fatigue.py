@@ -138,7 +138,6 @@ def volume_life(
     solution: BearingSolution,
     model: VolumeModel | str = "lundberg-palmgren",
     *,
-    turning: str = "inner",
     field: str = "sections",
     dynamic: float | None = None,
 ) -> VolumeLife:
@@ -151,8 +150,6 @@ def volume_life(
     model : VolumeModel or str
         A model of `nonhertz.life`, or its name: Lundberg and Palmgren's, Ioannides and Harris's, Zaretsky's, Weibull's
         or your own.
-    turning : {"inner", "outer"}
-        Which ring turns against the load.
     field : {"sections", "whole"}
         ``"sections"``: from cross-sections in plane strain, within seconds. ``"whole"``: the stress below the whole
         contact, as in `nonhertz.life.exposure`, a minute for each contact of another load. Hollow rollers take that of
@@ -190,17 +187,17 @@ def volume_life(
     if solution.method != "strips":
         raise InputError("solution", "by slices", "be by strips, which give pressures", "solve the bearing by strips")
     chosen = _model_of(model)
-    one_of("turning", turning, RINGS, "name the ring that turns against the load")
     one_of("field", field, FIELDS, "choose 'sections' for speed")
     rated = None if dynamic is None else rating(solution.bearing, dynamic=dynamic)
+    turning = RINGS.index(solution.turning)
     of_rows: list[Array] = []
     even: list[Array] = []
     distinct: list[Exposure] = []
     for row in solution.bearing.rows:
         seen = _exposures(solution, range(row.rollers.start, row.rollers.stop), field)
         calibrated = Calibration(row.bearing, rated or rating(row.bearing), chosen)
-        of_rows.append(calibrated.lives(seen, RINGS.index(turning)))
-        even.append(calibrated.lives(list(map(_spread_evenly, seen)), RINGS.index(turning)))
+        of_rows.append(calibrated.lives(seen, turning))
+        even.append(calibrated.lives(list(map(_spread_evenly, seen)), turning))
         distinct += _distinct(chain(*seen))
     # Of orthogonal shear sections know what is nearby.
     knows = field != "sections" or chosen.stress == "orthogonal_shear"

@@ -48,7 +48,7 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, slice_loads
 from nonhertz.errors import InputError
-from nonhertz.inputs.checks import one_of, positive, whole
+from nonhertz.inputs.checks import positive, whole
 from nonhertz.life.lamina import FEWEST, MOST
 from nonhertz.result.quantities import Quantity, attributes
 from nonhertz.result.solution import Solution
@@ -221,9 +221,7 @@ class Films:
         return values
 
 
-def films(
-    solution: BearingSolution, *, speed: float, lubrication: Lubrication, turning: str = "inner", laminae: int = LAMINAE
-) -> Films:
+def films(solution: BearingSolution, *, speed: float, lubrication: Lubrication, laminae: int = LAMINAE) -> Films:
     """Return the films between the rollers of a loaded bearing and its rings.
 
     Parameters
@@ -234,8 +232,6 @@ def films(
         Speed of the ring that turns [1/min].
     lubrication : Lubrication
         The oil.
-    turning : {"inner", "outer"}
-        The ring that turns.
     laminae : int
         Number of slices, where the bearing was solved by them.
 
@@ -258,13 +254,12 @@ def films(
     if not isinstance(solution, BearingSolution):
         raise InputError("solution", solution, "be a solved bearing", "give what nonhertz.bearing.solve returns")
     positive("speed", speed, "give the speed of the ring that turns in 1/min")
-    one_of("turning", turning, RINGS, "name the ring that turns")
     if not isinstance(lubrication, Lubrication) or lubrication.dynamic_viscosity is None:
         raise InputError(
             "lubrication", lubrication, "have a viscosity", "give an oil with its temperature, or a viscosity"
         )
     bearing = solution.bearing.rows[0].bearing
-    motion = bearing.kinematics(**{f"{turning}_speed": speed})
+    motion = bearing.kinematics(**{f"{solution.turning}_speed": speed})
     count = whole("laminae", laminae, FEWEST, MOST, "give the number of laminae, 41 say")
     oil = lubrication.dynamic_viscosity, lubrication.pressure_coefficient or 0.0
     along = _along_strips(solution) if solution.method == "strips" else _along_slices(solution, count)

@@ -12,9 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.pairs import Paired
+from nonhertz.bearing.section import RINGS
 from nonhertz.errors import InputError
+from nonhertz.inputs.assumed import Assumed
 from nonhertz.inputs.checks import broadcast, finite, not_negative, number_that, numbers
-from nonhertz.inputs.descriptions import OneOrTwo, Quantity
+from nonhertz.inputs.descriptions import OneOrTwo, Quantity, Word
 from nonhertz.inputs.fields import Input, input_class
 from nonhertz.model.prescription import MOST_TILT
 
@@ -29,6 +31,21 @@ _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
 _SMALL = f"be a small angle, of at most {MOST_TILT:g} rad"
 _rotation = number_that(lambda value: abs(value) <= MOST_TILT, _SMALL)
+
+
+@input_class(kw_only=True)
+class TurningRing(Input):
+    """Which ring turns."""
+
+    turning: Annotated[
+        str,
+        Word(
+            "which ring turns: 'inner' or 'outer'; the other is at rest, as the loads are",
+            "name the ring that turns against the load",
+            RINGS,
+        ),
+        Assumed("inner ring turns", "L10r"),
+    ] = "inner"
 
 
 @input_class(kw_only=True)

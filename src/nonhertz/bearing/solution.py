@@ -97,6 +97,8 @@ class BearingSolution(ReadOnly, HasHtml):
         The bearing; the rollers of several rows follow one another.
     method : {"strips", "slices"}
         How its contacts were solved.
+    turning : {"inner", "outer"}
+        The ring that turns; the other is at rest, and so is the load.
     angle : ndarray, shape (rollers,)
         Where the rollers are [rad].
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
@@ -125,6 +127,7 @@ class BearingSolution(ReadOnly, HasHtml):
 
     bearing: RollerBearing | Paired
     method: str
+    turning: str
     angle: Array
     load: Array
     moment: Array
@@ -146,6 +149,7 @@ class BearingSolution(ReadOnly, HasHtml):
         cls,
         bearing: RollerBearing | Paired,
         method: str,
+        turning: str,
         states: States,
         roller_load: Array,
         edge: tuple[NDArray[np.int64], Array] | None = None,
@@ -162,6 +166,7 @@ class BearingSolution(ReadOnly, HasHtml):
         return cls(
             bearing=bearing,
             method=method,
+            turning=turning,
             angle=np.concatenate([row.bearing.angles for row in bearing.rows]),
             load=np.where(borne, load, 0.0)[:, :2],
             moment=np.where(borne, states.answer[0, ..., 1], 0.0)[:, :2],

@@ -50,9 +50,8 @@ def solve_spectrum(
     cases: Sequence[BearingLoadCase],
     *,
     turning: str = "inner",
-    method: Method = "strips",
+    method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
-    maps: BearingMaps | None = None,
 ) -> tuple[tuple[BearingSolution, float], ...]:
     """Load a bearing with every load of a spectrum.
 
@@ -62,7 +61,7 @@ def solve_spectrum(
         The bearing.
     cases : sequence of BearingLoadCase
         The loads. Where their shares add up to less than 1, nothing is loaded for the rest.
-    turning, method, laminae, maps
+    turning, method, laminae
         As in `solve`.
 
     Returns
@@ -91,7 +90,7 @@ def solve_spectrum(
     """
     cases = check_cases("cases", cases, BearingLoadCase)
     at_most_whole("share", [case.share for case in cases], "give all loads with their shares of the revolutions")
-    options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae, "maps": maps}
+    options: dict[str, Any] = {"turning": turning, "method": method, "laminae": laminae}
     return tuple((solve(bearing, **case.load, **options), case.share) for case in cases)
 
 

@@ -36,6 +36,8 @@ class BearingSolutions(ReadOnly):
         The bearing.
     method : str
         How its contacts were solved.
+    turning : {"inner", "outer"}
+        The ring that turns.
     displacement, force : ndarray, shape (..., 5)
         Motions of the inner ring, as in `BearingSolution`.
     stiffness : ndarray, shape (..., 5, 5)
@@ -51,6 +53,7 @@ class BearingSolutions(ReadOnly):
 
     bearing: RollerBearing | Paired
     method: str
+    turning: str
     displacement: Array
     force: Array
     stiffness: Array
@@ -65,6 +68,7 @@ class BearingSolutions(ReadOnly):
         cls,
         bearing: RollerBearing | Paired,
         method: str,
+        turning: str,
         states: States,
         roller_load: Array,
         shape: tuple[int, ...],
@@ -76,6 +80,7 @@ class BearingSolutions(ReadOnly):
         return cls(
             bearing=bearing,
             method=method,
+            turning=turning,
             displacement=states.ring.reshape(*shape, 5),
             force=states.force.reshape(*shape, 5),
             stiffness=states.stiffness.reshape(*shape, 5, 5),
@@ -101,7 +106,8 @@ class BearingSolutions(ReadOnly):
             raise IndexError("an index for every axis is needed")
         if not self.converged[number]:
             raise ConvergenceError(f"State {number} of the bearing has no equilibrium.", None)
-        return BearingSolution.of(self.bearing, self.method, self._states.portion(slice(at, at + 1)), self._roller_load)
+        state = self._states.portion(slice(at, at + 1))
+        return BearingSolution.of(self.bearing, self.method, self.turning, state, self._roller_load)
 
     @property
     def loaded_share(self) -> Array:

@@ -209,9 +209,8 @@ def table(
     about_z: ArrayLike = 0.0,
     speed: float = 0.0,
     turning: str = "inner",
-    method: Method = "strips",
+    method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
-    maps: BearingMaps | None = None,
     checks: int = CHECKS,
 ) -> ForceTable:
     """Return the forces on the inner ring of a bearing on a grid of its motions.
@@ -224,8 +223,8 @@ def table(
         Displacements of the inner ring [mm]: a number where it is fixed, ascending ones along an axis of the grid.
     about_y, about_z : float or array_like
         Its rotations [rad], likewise.
-    speed, turning, method, laminae, maps
-        As in `nonhertz.bearing.solve_many`; a large table takes maps.
+    speed, turning, method, laminae
+        As in `nonhertz.bearing.solve_many`; use maps for a large table.
     checks : int
         In the middle of how many cells it is solved as well, to know what interpolation is off by; all cells, if there
         are fewer. 0 for none.
@@ -269,9 +268,7 @@ def table(
     if states > MOST_STATES:
         condition = f"be at most {MOST_STATES} points, not {states}"
         raise InputError("grid of " + ", ".join(axes), "too large", condition, "give fewer values")
-    options: dict[str, Any] = {
-        "speed": speed, "turning": turning, "method": method, "laminae": laminae, "maps": maps,
-    }  # fmt: skip
+    options: dict[str, Any] = {"speed": speed, "turning": turning, "method": method, "laminae": laminae}
     grid = _grid(values)
     force, stiffness, converged = _solve_grid(bearing, grid.reshape(-1, 5), options)
     middles = _grid({name: 0.5 * (axis[1:] + axis[:-1]) if axis.ndim else axis for name, axis in values.items()})
@@ -286,7 +283,7 @@ def table(
     shape = grid.shape[:-1]
     return ForceTable(
         bearing=bearing,
-        method=method,
+        method="strips" if isinstance(method, BearingMaps) else method,
         speed=float(speed),
         turning=turning,
         names=tuple(axes),

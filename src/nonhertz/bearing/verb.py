@@ -17,7 +17,7 @@ from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.laws import ContactLaw, MapLaw
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.pairs import Paired
-from nonhertz.bearing.prescribed import BearingLoad, Prescribed, many_states, motions, one_state
+from nonhertz.bearing.prescribed import BearingLoad, Prescribed, TurningRing, many_states, motions, one_state
 from nonhertz.bearing.section import raceway_motion
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, standard_slices
@@ -63,7 +63,7 @@ class BearingSolver(Input):
     ] = LAMINAE
 
 
-@document_parameters(BearingLoad, BearingSolver)
+@document_parameters(BearingLoad, TurningRing)
 def solve(
     bearing: RollerBearing | Paired,
     *,
@@ -75,9 +75,8 @@ def solve(
     tilt: ArrayLike | None = None,
     speed: float = 0.0,
     turning: str = "inner",
-    method: Method = "strips",
+    method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
-    maps: BearingMaps | None = None,
 ) -> BearingSolution:
     """Load a bearing, or move its inner ring; the outer ring is at rest.
 
@@ -86,11 +85,12 @@ def solve(
     bearing : RollerBearing or Paired
         The bearing.
     {BearingLoad}
-    turning : {"inner", "outer"}
-        Which ring turns; the other is at rest, and so is the load.
-    {BearingSolver}
-    maps : BearingMaps, optional
-        Maps of this bearing, made by `maps`, in place of strips while the balance is found.
+    {TurningRing}
+    method : {"strips", "slices"} or BearingMaps
+        Strips on the automatic grid, the independent slices of ISO/TS 16281, or maps of this bearing, made by `maps`,
+        in place of strips while the balance is found.
+    laminae : int
+        Number of slices, for the method ``"slices"``.
 
     Returns
     -------
@@ -127,18 +127,18 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6840.0
     """
-    solver, loaded = _check_options(bearing, speed, turning, method, laminae, maps)
+    solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    bearing = adjust_preload(bearing, method, laminae)
+    bearing = adjust_preload(bearing, solver.method, solver.laminae)
     system, states = _solve_states(bearing, loaded, solver, maps, one_state(bearing, BearingLoad(**inputs)))
     if not states.converged(TOLERANCE)[0]:
         words = f"No equilibrium of rollers and rings was found in {states.steps[0]} steps"
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
-    solution = BearingSolution.of(bearing, method, states, loaded, find_edge_rollers(system, states))
+    solution = BearingSolution.of(bearing, solver.method, turning, states, loaded, find_edge_rollers(system, states))
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
@@ -159,9 +159,8 @@ def solve_many(
     displacement: ArrayLike | None = None,
     speed: float = 0.0,
     turning: str = "inner",
-    method: Method = "strips",
+    method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
-    maps: BearingMaps | None = None,
     threads: int | None = None,
 ) -> BearingSolutions:
     """Load a bearing in many ways; with maps a state costs half a millisecond.
@@ -174,7 +173,7 @@ def solve_many(
         As in `solve`, along y, x and about z, broadcast against each other.
     displacement : array_like, shape (..., 5), optional
         All motions of the inner ring, in place of these: along x, y and z [mm] and about y and z [rad].
-    speed, turning, method, laminae, maps
+    speed, turning, method, laminae
         As in `solve`, for all states.
     threads : int, optional
         How many work on the states of slices or maps; all cores if left out. The results do not depend on it.
@@ -188,16 +187,18 @@ def solve_many(
     InputError
         If the input is invalid.
     """
-    solver, loaded = _check_options(bearing, speed, turning, method, laminae, maps)
+    solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
     }  # fmt: skip
-    bearing = adjust_preload(bearing, method, laminae)
+    bearing = adjust_preload(bearing, solver.method, solver.laminae)
     acting, shape = many_states(bearing, inputs) if displacement is None else motions(displacement, inputs)
     _, states = _solve_states(bearing, loaded, solver, maps, acting, thread_count(threads))
     arrays = {name: np.broadcast_to(value, shape) for name, value in inputs.items() if value is not None}
-    return BearingSolutions.of(bearing, method, states, loaded, shape, name_axes(arrays, shape, "state"))
+    return BearingSolutions.of(
+        bearing, solver.method, turning, states, loaded, shape, name_axes(arrays, shape, "state")
+    )
 
 
 def adjust_preload(
@@ -237,19 +238,17 @@ def adjust_preload(
 
 
 def _check_options(
-    bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int, maps: BearingMaps | None
-) -> tuple[BearingSolver, Array]:
+    bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int
+) -> tuple[BearingSolver, BearingMaps | None, Array]:
     """Return how a bearing is solved, and what its speed loads every roller with; refuse what cannot be."""
     if not isinstance(bearing, RollerBearing | Paired):
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing, or take that of a BearingCase"
         raise InputError("bearing", bearing, "be a bearing", remedy)
-    solver = BearingSolver(method=method, laminae=laminae)
+    maps = method if isinstance(method, BearingMaps) else None
+    solver = BearingSolver(method="strips" if maps else method, laminae=laminae)
     rate = PER_MINUTE * BearingLoad(speed=speed).speed
-    if maps is not None:
-        if not isinstance(maps, BearingMaps) or maps.bearing != bearing:
-            raise InputError("maps", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
-        if method != "strips":
-            raise InputError("maps", maps, "not be given with slices", "leave out method")
+    if maps is not None and maps.bearing != bearing:
+        raise InputError("method", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
     rows = [row.bearing for row in bearing.rows]
     pitch = max(row.pitch for row in rows)
     if 0.5 * pitch * rate > _MOST_RIM_SPEED:
@@ -258,7 +257,7 @@ def _check_options(
             f"{mm(pitch):g}, twice the speed at which rings of steel burst"
         )
         raise InputError("speed", speed, condition, "give that of the ring that turns in 1/min")
-    return solver, np.concatenate([np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows])
+    return solver, maps, np.concatenate([np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows])
 
 
 def _solve_states(
@@ -322,7 +321,7 @@ def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapL
                 condition = (
                     f"reach to loads of {newton(load):.4g} and tilts of {turned:.4g} rad, which these states have"
                 )
-                raise InputError("maps", "too small", condition, "make larger ones")
+                raise InputError("method", "maps too small", condition, "make larger ones")
 
 
 def _expected_depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:

@@ -18,7 +18,7 @@ from nonhertz.bearing.lubrication import LEAST_RATIO, reference_viscosity
 from nonhertz.bearing.oil import Lubrication, OilInPlace
 from nonhertz.bearing.pairs import Pair, Paired, paired
 from nonhertz.bearing.parts import InnerRing, OuterRing, Rollers
-from nonhertz.bearing.prescribed import BearingLoad, one_state
+from nonhertz.bearing.prescribed import BearingLoad, TurningRing, one_state
 from nonhertz.bearing.spectrum import BearingLoadCase
 from nonhertz.bearing.verb import BearingSolver
 from nonhertz.errors import CaseError, InputError, InputsError
@@ -42,7 +42,7 @@ PAIR = "a second row like the first, and how it lies"
 
 
 @input_class(kw_only=True)
-class BearingLifeConditions(LifeConditions):
+class BearingLifeConditions(TurningRing, LifeConditions):
     """How long the bearing lasts; its speed is that of the load."""
 
     spectrum: Annotated[

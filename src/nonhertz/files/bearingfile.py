@@ -195,7 +195,7 @@ class BearingCase(CaseBase):
         speed, oil = self.prescribed.speed, self.lubrication
         if not speed or oil.dynamic_viscosity is None:
             return None
-        return films(solution, speed=speed, lubrication=oil, turning=self.life.turning, laminae=self.solver.laminae)
+        return films(solution, speed=speed, lubrication=oil, laminae=self.solver.laminae)
 
     def friction(self, solution: BearingSolution) -> Friction | None:
         """Return torque and power loss of the loaded bearing; None where oil, speed, series or sizes are not known."""
@@ -370,7 +370,8 @@ class BearingCase(CaseBase):
             if isinstance(self.bearing.rows[0].bearing, CylindricalThrustBearing) and len(oil) == 1:
                 oil = {}
             conditions = oil | self.life.keywords
-            conditions.pop("spectrum")
+            for name in ("spectrum", "turning"):  # the solutions know their ring
+                conditions.pop(name)
             if not self.spectrum:
                 return assess(solution, **conditions, speed=self.prescribed.speed or None)
             speeds = [case.speed for case in self.spectrum]

@@ -242,7 +242,9 @@ def _bearing_solution(content: dict[str, Any], case: BearingCase) -> BearingSolu
     arrays: dict[str, Any] = {name: np.array(content[name], float).reshape(shape) for name, shape in shapes.items()}
     arrays["edge_rollers"] = arrays["edge_rollers"].astype(np.int64)
     numbers = {"residual": float(content["residual"]), "iterations": int(content["iterations"])}
-    return BearingSolution(bearing=bearing, method=str(content["method"]), **arrays | numbers)
+    return BearingSolution(
+        bearing=bearing, method=str(content["method"]), turning=case.life.turning, **arrays | numbers
+    )
 
 
 def _at_limits(tolerances: dict[str, Any]) -> list[Mapping[str, float]]:
