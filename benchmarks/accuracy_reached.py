@@ -34,7 +34,6 @@ def headlines(results: dict[str, Any]) -> list[dict[str, Any]]:
                     if (entry := cheapest(entries_of(race, program), quantity, NARROW * target)) is not first
                 ],
                 "strips against peer": ratio(peer, best["strips"]),
-                "strips against patch": ratio(best["patch"], best["strips"]),
                 "batch against peer": ratio(peer, best["batch"]),
             })  # fmt: skip
     return rows

@@ -142,9 +142,6 @@ def page(found: dict[str, Any]) -> str:
     for name in CASES:
         cells = [said(name, way, *found[name]["ms"][way]) for way in ("strips", "maps", "slices")]
         lines.append(f"| {NAMED[name]} | {' | '.join(cells)} |")
-    lines += ["", "| of strips, how often | " + " | ".join(CASES) + " |", "|---|" + "--:|" * len(CASES)]
-    for what in sorted(set().union(*(found[name]["asked"] for name in CASES))):
-        lines.append(f"| {what} | {' | '.join(str(found[name]['asked'].get(what, 0)) for name in CASES)} |")
     one, two = found["states"][1], found["states"][2]
     lines += [
         "",

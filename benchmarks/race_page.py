@@ -13,7 +13,7 @@ from races import QUANTITIES
 TARGETS = {"approach": {"strips": 20.0, "batch": 100.0}, "max_pressure": {"strips": 10.0, "batch": 50.0}}
 AHEAD = 1.0  # the target everywhere else
 LABELS = dict(zip(PROGRAMS, ("strips", "strips, many at once", "plane grid", *PEERS), strict=True))
-RATIOS = ("strips : peer", "many : peer", "strips : plane grid")
+RATIOS = ("strips : peer", "many : peer")
 NOT_REACHED = "not reached"
 
 INTRODUCTION = """\
@@ -29,8 +29,7 @@ ARRIVALS = """\
 Time of the cheapest grid that meets the target, as all finer grids of the same program must. In brackets the grid:
 strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is `nonhertz.patch`. Many at
 once: {cases} loads, up to {less:.0f} % apart, in one `solve_many`, the time for each; "reused" is the automatic grid of
-the middle load. The last columns: how many times as fast as the best peer strips are (target in brackets), and as the
-plane grid.
+the middle load. The last columns: how many times as fast as the best peer strips are (target in brackets).
 """
 
 DRAWINGS = """\
@@ -76,7 +75,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield from (f"Without {LABELS[program]}: {reason}.\n" for program, reason in results["missing"].items())
     yield from (f"Failed: {failure}.\n" for failure in results["failures"])
     yield ARRIVALS.format(cases=results["batch"]["cases"], less=100 * results["batch"]["range"])
-    yield _table(("contact", "asked", *LABELS.values(), *RATIOS), _arrivals(results))
+    yield _table(("contact", "accuracy", *LABELS.values(), *RATIOS), _arrivals(results))
     yield _verdict(results)
     yield DRAWINGS
     yield from _full_size(results["full size"], results["races"])
@@ -94,8 +93,7 @@ def _arrivals(results: dict[str, Any]) -> Iterator[list[str]]:
         before = row["race"]
         cells = (_arrival(row["cheapest"][program], program in results["missing"]) for program in LABELS)
         judged = [f"{_times(row[f'{way} against peer'])} ({target:g})" for way, target in _targets(row).items()]
-        ratios = *judged, _times(row["strips against patch"])
-        yield [title, _asked(row), *cells, *ratios]
+        yield [title, _asked(row), *cells, *judged]
 
 
 def _verdict(results: dict[str, Any]) -> str:
