@@ -47,7 +47,7 @@ assert abs(solution.load / 5e3 - 1) < 1e-9, solution.load
 print(f"solved: largest pressure {solution.max_pressure:.0f} MPa")
 """
 MISSING = (
-    "The package {0} is not installed, which {1} needs: pip install {0}, or pip install '.[{2}]' in the folder of "
+    "The package {0}, needed for {1}, is not installed: pip install {0}, or pip install '.[{2}]' in the folder of "
     "nonhertz\n"
 )
 NO_CLI = MISSING.format("cyclopts", "the command line", "cli")

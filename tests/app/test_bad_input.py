@@ -272,12 +272,13 @@ def test_a_body_is_refused_in_the_words_of_python(folder, keys):
         (["nodes", "a"], "Give NODES, as in 'nonhertz nodes roller.toml surface.csv'; see '"),
         (
             ["life", "--model", "iso-16281", "case.toml"],
-            "--model takes all words after it, 'case.toml' too; write 'nonhertz life case.toml --model iso-16281'; see",
+            "--model takes all words after it, including 'case.toml'; "
+            "write 'nonhertz life case.toml --model iso-16281'; see",
         ),
         (
             ["sweep", "--quantities", "load", "plan.toml"],
-            "--quantities takes all words after it, 'plan.toml' too; write 'nonhertz sweep plan.toml --quantities load'"
-            "; see '",
+            "--quantities takes all words after it, including 'plan.toml'; "
+            "write 'nonhertz sweep plan.toml --quantities load'; see '",
         ),
         (["stress", "a", "b"], "This command takes no 'b'; see"),
         (["solve", "a", "--jsn"], "Unknown option: --jsn. Did you mean --json?"),

@@ -262,7 +262,7 @@ def test_check_says_in_one_line_that_all_is_well(folder, run):
 @pytest.mark.parametrize("change", ["load.radial=4MN", "load.tilt=0.05"])
 def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
     out = run("check", "few.toml", "--set", change).out
-    largest = float(re.search(r"\ndoubtful: no metal bears the largest pressure, ([\d.]+) MPa", out)[1])
+    largest = float(re.search(r"\ndoubtful: no metal withstands the largest pressure, ([\d.]+) MPa", out)[1])
     with without_accuracy_warnings():
         solved = read_bearing("few.toml", parse_changes([change])).solve("strips").max_pressure.max()
     assert 0.3 < largest / solved < 3.0  # slices of the standard do not feel each other
@@ -271,7 +271,7 @@ def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
 @pytest.mark.parametrize(("speed", "doubted"), [(3000, False), (180_000, True)])
 def test_check_doubts_a_speed_that_no_bearing_has_reached(folder, run, speed, doubted):
     out = run("check", "few.toml", "--set", f"load.speed={speed}").out
-    assert (f"\ndoubtful: speed = {speed} is to be in 1/min" in out) is doubted
+    assert (f"\ndoubtful: speed = {speed} is in 1/min" in out) is doubted
 
 
 def test_check_knows_a_bearing_file_without_its_bearing(folder, run):

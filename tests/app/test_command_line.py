@@ -221,7 +221,7 @@ def test_version(run):
     ("change", "doubt"),
     [
         ("body.a.profile=[{kind='crown', radius=60}]", "body a drops by 0.209 mm half-way to its end, over 1 %"),
-        ("load.load=3MN", "no metal bears the largest pressure, "),
+        ("load.load=3MN", "no metal withstands the largest pressure, "),
     ],
     ids=range(2),
 )
@@ -310,7 +310,7 @@ def test_a_missing_extra_says_how_to_install_it(case, package):
     )
     assert run.returncode == 2
     assert run.stderr == (
-        f"The package {package} is not installed, which the command line needs: "
+        f"The package {package}, needed for the command line, is not installed: "
         f"pip install {package}, or pip install '.[cli]' in the folder of nonhertz\n"
     )
     assert not Path("results").exists()

@@ -67,7 +67,7 @@ REFUSED = [
     ("life case.toml --compare nothing.toml", "nothing.toml must exist: "),
     ("stress case.toml --station nan", "--station = nan must be finite: give a position along the contact in mm."),
     ("stress case.toml --body c", "--body = 'c' must be one of the two bodies: write a or b."),
-    ("map case.toml", "--load must be given where --approach is not"),
+    ("map case.toml", "--load must be given if --approach is not"),
     ("map case.toml --load 1kN", "--load = '1kN' must be a range"),
     ("map case.toml --load 2kN:1kN", "--load = '2kN:1kN' must ascend"),
     ("map case.toml --load 0:1", "--load = '1' must have a unit: append a unit, such as 1N"),
@@ -131,7 +131,7 @@ CHANGED = [
     ("design design.toml", "starts = 2", 'where = { approach = "30 um" }', "begin with 'at most'"),
     ("design design.toml", '{ load = "20 kN" }', '{ load = "20 kN", share = 0.2 }', "share"),
     ("design design.toml", "[vary]", "[varied]", "varied"),
-    ("design design.toml --front 3", ', tilt = "2 arcmin"', "", "must hold loads without tilt and loads with tilt for"),
+    ("design design.toml --front 3", ', tilt = "2 arcmin"', "", "must include loads without tilt and loads with tilt"),
     ("design design.toml --front 3", "starts = 2", 'goal = "life"', "goal = 'life' must be 'pressure' for a front"),
     ("design design.toml --front 2", "starts = 2", "starts = 1", "--front = 2 must be a whole number from 3 to 50"),
     (

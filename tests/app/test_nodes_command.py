@@ -126,7 +126,7 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(run):
     printed = run("nodes", CASE, "surface.csv").out
     assert "The forces add up to 15.000 kN of the load of 15.000 kN." in printed
     assert "outside" not in printed
-    assert "interpolated linearly between the nodes, carry" in printed
+    assert "interpolated linearly between the nodes, integrate to" in printed
     table = list(csv.DictReader(io.StringIO(Path("surface-pressure.csv").read_text(encoding="utf-8"))))
     assert [row["node"] for row in table] == [str(k) for k in range(len(x))]
     solution = nh.read_case(CASE).solve()
@@ -142,5 +142,5 @@ def test_the_command_writes_a_table_and_says_what_the_sums_are(run):
 @pytest.mark.usefixtures("folder")
 def test_the_file_of_the_nodes_is_not_overwritten(run):
     written("nodes.csv", "x, y\n0, 0\n")
-    assert "not that of the nodes" in run("nodes", CASE, "nodes.csv", "--out", "nodes.csv", code=2).err
+    assert "other than that of the nodes" in run("nodes", CASE, "nodes.csv", "--out", "nodes.csv", code=2).err
     assert Path("nodes.csv").read_text(encoding="utf-8") == "x, y\n0, 0\n"

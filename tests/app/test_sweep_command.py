@@ -59,7 +59,7 @@ def test_how_long_the_rows_take_is_said_first_and_where_they_continue(capsys):
     announce(Progress(done=12, total=12, resumed=12))
     first, second, third = capsys.readouterr().err.splitlines()
     assert (first, second) == ("10000 rows, about 4 minutes", "continuing from 5495 of 10000 rows")
-    assert third == "all 12 rows were there"
+    assert third == "all 12 rows had been solved before"
 
 
 def test_the_time_of_rows_is_that_of_one_times_their_number(monkeypatch):

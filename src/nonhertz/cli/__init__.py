@@ -1,7 +1,7 @@
 """The command line: read the input, call one function, print.
 
-A command is a function in a module of its own, and `nonhertz.cli.commands` the table of them. Only the module of the
-command that runs is imported, and none for ``--help``, which answers at once.
+A command is a function in a module of its own; `nonhertz.cli.commands` is the table of commands. Only the module of the
+command that is run is imported, and none for ``--help``, so that help appears at once.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pathlib import Path
 from nonhertz.cli.exit_codes import BAD_INPUT, BROKEN_PIPE, INTERNAL, INTERRUPTED
 from nonhertz.errors import CaseError, InputError, Interrupted
 
-_OUT_OF_CALLBACK = 0.02  # s; where this was too early, the next repetition is not
+_OUT_OF_CALLBACK = 0.02  # s; if this is too early, the interrupt is repeated once more
 
 _EXTRAS = {
     **dict.fromkeys(("cyclopts", "jinja2", "matplotlib", "pint", "rich", "tomli_w", "x3pio"), "cli"),
@@ -28,7 +28,7 @@ _EXTRAS = {
     "distributed": "cluster",
     "openpyxl": "data",
 }
-# Arguments of functions whose options have other names in every command.
+# Arguments of functions whose options have the same other name in every command.
 _OPTIONS = {"changes": "--set", "folder": "--out", "out": "--out", "port": "--port", "scheduler": "--scheduler"}
 _NEEDS = {
     "cli": "the command line",
@@ -54,7 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         is strained.
     """
     _fill_closed_streams()
-    # Figures are drawn to files, whatever backend, even a misspelled one, is set for other programs.
+    # Figures are drawn to files only: a backend set for other programs, even a misspelled one, must not matter.
     os.environ["MPLBACKEND"] = "agg"
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words or os.environ.get("NONHERTZ_DEBUG", "0") not in {"", "0"}
@@ -140,7 +140,7 @@ def _describe_end(error: BaseException) -> tuple[int, list[str]]:
             package = name.partition(".")[0]
             extra = _EXTRAS[package]
             hint = f"pip install {package.replace('_', '-')}, or pip install '.[{extra}]' in the folder of nonhertz"
-            verdict = BAD_INPUT, [f"The package {package} is not installed, which {_NEEDS[extra]} needs: {hint}"]
+            verdict = BAD_INPUT, [f"The package {package}, needed for {_NEEDS[extra]}, is not installed: {hint}"]
     return verdict
 
 

@@ -1,4 +1,4 @@
-"""What commands answer: a value, which is printed in one place, for people or as JSON."""
+"""What commands return: a value that is printed in one place, for people or as JSON."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a command found. A command that returns one has the options ``--units`` and ``--json``."""
+    """The result of a command. A command that returns one has the options ``--units`` and ``--json``."""
 
     title: str
     sections: Iterable[Section]
@@ -27,10 +27,10 @@ class Answer:
     written: Iterable[Path] = ()
     complaints: Sequence[str] = ()  # to standard error
     code: int = FINE
-    wide: int | None = 120  # where there is no terminal; None for what COLUMNS says, or else 80
+    wide: int | None = 120  # columns without a terminal; None for COLUMNS, or else 80
 
     def print(self, *, as_json: bool, judge: bool = False) -> int:
-        """Print it, and return the exit code, that of the verdict if it is asked for and nothing else went wrong."""
+        """Print the answer; return the exit code: that of the verdict if ``judge`` is set and nothing else failed."""
         if as_json:
             print(self.json())
         else:

@@ -49,19 +49,19 @@ def bearing(
     file : Path
         The bearing file; see 'nonhertz new --bearing'.
     compare : bool
-        Solve it by strips and by the slices of ISO/TS 16281, and print both side by side.
+        Solve by strips and by the slices of ISO/TS 16281, and print both side by side.
     contact : tuple of int and str
-        ROLLER, counted from 1, and RING, inner or outer: print a case file of this contact alone, with its load and its
-        tilt in the bearing, for the commands that take a case.
+        ROLLER, counted from 1, and RING, inner or outer: print a case file of this contact alone, with its load and
+        misalignment in the bearing, for the commands that take a case.
     over : str
-        An input and a range, such as clearance=0:60um, load=5kN:20kN:16 or tilt=0:1mrad: life, pressure and stiffness
-        over it, as a table and, with --out, as one figure.
+        An input and its range, such as clearance=0:60um, load=5kN:20kN:16 or tilt=0:1mrad: print life, pressure and
+        stiffness over it as a table, and with --out draw them in one figure.
     out : Path
         Directory for result.json, rollers.csv, lines.csv and the figures, with --compare for comparison.json and
         comparison.csv, with --over for diagram.json, rows.csv and the figure; created if it does not exist.
     rexs : Path
-        File in REXS 1.4 for the bearing with its results: XML, if it ends with .rexs or .rexs.xml, or JSON, .rexsj or
-        .rexs.json.
+        REXS 1.4 file to write, with the bearing and its results: XML if the name ends in .rexs or .rexs.xml, JSON if it
+        ends in .rexsj or .rexs.json.
     """
     answers = {"--compare": compare, "--contact": contact, "--over": over}
     refuse_together(answers, "give one of them")
@@ -72,7 +72,7 @@ def bearing(
             form_of(rexs)
         refuse_together(answers | {"--rexs": str(rexs)}, "leave one out")
     if contact is not None and (as_json or out is not None):
-        remedy = "send the case file that it prints to a file with >"
+        remedy = "redirect the case file that is printed, with >"
         raise InputError("--contact", contact, "be given without --json and --out", remedy)
     case = read_bearing(file, changes)
     refuse_unwritable_out(out)

@@ -53,7 +53,7 @@ def check(file: Path, /, *more: Path, changes: Changes = NONE) -> int:
 
 
 def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
-    """Print the mistakes in a file, of several under its name, or what it holds; return whether there are none."""
+    """Print the mistakes in a file, below its name if ``named``, or its content; return whether there are none."""
     try:
         content = _describe_content(path, changes)
     except CaseError as error:
@@ -67,7 +67,7 @@ def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
 
 
 def _describe_content(path: Path, changes: Mapping[str, Any]) -> str:
-    """Read a case file, a bearing file or a plan, try whether it can be solved, and return what it holds."""
+    """Read a case file, a bearing file or a plan, check that it can be solved, and return a description of it."""
     document, _, text = load_document(path, "case", "bearing", "plan")
     if is_plan(document):
         return _describe_plan(document, path, changes)
@@ -76,7 +76,7 @@ def _describe_content(path: Path, changes: Mapping[str, Any]) -> str:
 
 
 def _describe_contact(case: Case) -> str:
-    # Finds what only the solver can see, such as an unbounded contact. It takes milliseconds.
+    # Finds mistakes that only the solver can see, such as an unbounded contact. It takes milliseconds.
     solution, _ = try_solve(case)
     ends, pressed = mm(*case.contact.interval, between=" to "), _list_inputs(case.prescribed)
     content = f"{case.title!r}, bodies face each other from y = {ends:g}, {pressed}"
@@ -85,7 +85,7 @@ def _describe_contact(case: Case) -> str:
 
 
 def _find_doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
-    """Yield what is allowed of bodies under their largest pressure but looks like a slip of units."""
+    """Yield what is allowed but looks like a slip of units, in bodies and in their largest pressure."""
     for name, body in bodies.items():
         half = 0.5 * np.asarray(body.interval)
         relief = float(np.max(body.relief(half))) if np.isfinite(half).all() else 0.0
@@ -93,11 +93,11 @@ def _find_doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
             yield f"{name} drops by {relief:.3g} mm half-way to its end, over 1 % of its diameter"
     metals = all(body.material.modulus > METAL for body in bodies.values())
     if metals and pressure > BEYOND_METALS:
-        yield f"no metal bears the largest pressure, {mpa(pressure)}; check load, tilt and units"
+        yield f"no metal withstands the largest pressure, {mpa(pressure)}; check load, tilt and units"
 
 
 def _describe_bearing(case: BearingCase) -> str:
-    # By slices, which takes milliseconds. Whether a balance is found is for solving it to say.
+    # By slices, which takes milliseconds. Whether there is an equilibrium, only solving by strips shows.
     row, pressure = case.bearing.rows[0].bearing, 0.0
     with contextlib.suppress(ConvergenceError):
         pressure = _largest_of_slices(case.solve("slices"), case.solver.laminae)
@@ -107,13 +107,13 @@ def _describe_bearing(case: BearingCase) -> str:
     doubts, speed = [*_find_doubts(bodies, pressure)], case.prescribed.speed
     if speed * row.pitch > FAST:
         doubts.append(
-            f"speed = {format_input(speed)} is to be in 1/min; no test rig turns a bearing of this size as fast"
+            f"speed = {format_input(speed)} is in 1/min; no test rig has turned a bearing of this size so fast"
         )
     return ".\ndoubtful: ".join((content, *doubts))
 
 
 def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
-    """Return Hertz's pressure under the most loaded of so many slices of a bearing [MPa]; zero without load."""
+    """Return the Hertz pressure [MPa] under the most loaded of ``laminae`` slices; zero without load."""
     largest = 0.0
     for row, (slices, loads) in zip(solution.bearing.rows, slice_loads(solution, laminae), strict=True):
         for contact, most in zip(row.bearing.contacts, loads.max(axis=(0, 2)) / np.diff(slices.y[:2]), strict=True):
@@ -125,7 +125,7 @@ def _largest_of_slices(solution: BearingSolution, laminae: int) -> float:
 
 
 def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, Any]) -> str:
-    """Return what a plan holds; its case is read and its values are tried, nothing is solved."""
+    """Return a description of a plan; its case is read and its values are checked, nothing is solved."""
     studies = []
     for table, what in (("over", "a sweep"), ("tolerance", "a tolerance study")):
         plan = Plan.of(document, path, changes=changes, table=table)
@@ -145,11 +145,11 @@ def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, A
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
         studies.append(f"a design over {', '.join(options['bounds'])}")
-    return f"{plan.title!r}, {joined(studies) if studies else 'which varies nothing'}"
+    return f"{plan.title!r}, {joined(studies) if studies else 'nothing is varied'}"
 
 
 def _list_inputs(prescribed: Input) -> str:
-    """Return loads, motions and speed as files have them, with the units that their descriptions say."""
+    """Return loads, displacements and speed as in files, with the units named in their descriptions."""
     entries = []
     for name, value in document_of(prescribed, defaults=False).items():
         numbers = value if isinstance(value, list) else [value]

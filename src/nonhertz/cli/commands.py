@@ -30,8 +30,8 @@ from nonhertz.cli.exit_codes import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.options import AsJson, Judge, UnitsRead
 from nonhertz.errors import ConvergenceError, InputError
 
-#: Commands by the group that they stand in, and what each may be called with. A command is a module, and a function in
-#: it of the same name unless another is named below.
+#: Commands by group, each with an example. A command is a module with a function of the same name, unless another is
+#: named below.
 GROUPS = {
     "Start": {
         "new": "new roller.toml, nonhertz new --bearing nu206.toml, nonhertz new --template needle needle.toml",
@@ -69,9 +69,9 @@ _EXIT_CODES = "Exit codes: 0 success, 1 not converged or not verified, 2 bad inp
 _CHANGE = re.compile(r"[A-Za-z][\w.\[\]-]*=")
 
 
-# What signatures are made of.
+# The names that occur in signatures.
 _OF_SIGNATURES = {"__future__", "cyclopts", "nonhertz.cli.answer", "nonhertz.cli.options", "pathlib", "typing"}
-# What every command has whose result is an `Answer`.
+# The parameters of every command that returns an `Answer`.
 _OF_ANSWERS = {
     name: inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
     for name, default, annotation in (("units", "si", UnitsRead), ("as_json", False, AsJson), ("judge", False, Judge))
@@ -80,11 +80,11 @@ _OF_ANSWERS = {
 
 @functools.cache
 def build_application(only: str | None = None) -> App:
-    """Return all commands, or the only one that runs: reading the others from their sources takes longer than it."""
+    """Return all commands, or only one: reading the others from their sources takes longer than running it."""
     app = App(
         name="nonhertz",
         help="Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.",
-        help_epilogue="Begin with: nonhertz new roller.toml, nonhertz solve roller.toml. "
+        help_epilogue="Start with: nonhertz new roller.toml, nonhertz solve roller.toml. "
         "Help on a command: nonhertz COMMAND --help. " + _EXIT_CODES,
         version=__version__,
         exit_on_error=False,
@@ -140,7 +140,7 @@ def run(words: Sequence[str]) -> int:
         raise InputError("--out", "", "name a directory or a file", "write --out . for the current directory")
     try:
         with _plain_warnings():
-            # In a context of its own, which ends with the units that the command has chosen.
+            # In a context of its own, so that the command's choice of units ends with it.
             return contextvars.copy_context().run(_run, repeat_set_option(words))
     except CycloptsError as error:
         sentence = _explain(error, words)
@@ -161,12 +161,12 @@ def _explain(error: CycloptsError, words: Sequence[str]) -> str:
 
 
 def _explain_missing(name: str, words: Sequence[str]) -> str:
-    """Return what to do where an argument is missing, which may be because an option before it took it."""
+    """Return the remedy for a missing argument, which an option before it may have taken."""
     for place, word in enumerate(words):
         option = next((earlier for earlier in reversed(words[1:place]) if earlier.startswith("--")), "")
         if option and word.endswith(".toml"):
             first = " ".join([*words[:1], word, *words[1:place], *words[place + 1 :]])
-            return f"{option} takes all words after it, '{word}' too; write 'nonhertz {first}'"
+            return f"{option} takes all words after it, including '{word}'; write 'nonhertz {first}'"
     return f"Give {name}, as in 'nonhertz {EXAMPLES[words[0]].partition(' --')[0]}'"
 
 
@@ -177,7 +177,7 @@ def _help_on(words: Sequence[str]) -> str:
 
 
 def _run(words: Sequence[str]) -> int:
-    """Run one command in the units that it is asked to show; JSON is in SI units."""
+    """Run one command, in the units of ``--units``; JSON is in SI units."""
     app = build_application(words[0] if words and words[0] in COMMANDS else None)
     command, bound, _ = app.parse_args(words, exit_on_error=False, print_error=False)
     options = bound.arguments

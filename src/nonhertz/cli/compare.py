@@ -30,10 +30,10 @@ def compare(
     out: Path | None = None,
     cells: Annotated[tuple[int, int] | None, Parameter(negative="", show_default=False)] = None,
 ) -> Answer:
-    """Compare strips of both elements with a plane grid on a case.
+    """Compare the strips of both elements with a plane grid.
 
-    The plane grid assumes nothing about how the pressure is distributed across the contact. Where it and the strips
-    differ by more than 1 % is printed. This takes a few seconds.
+    The plane grid assumes nothing about the distribution of the pressure across the contact. Places where its pressure
+    differs from that of the strips by more than 1 % are listed. This takes a few seconds.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ from nonhertz.show.studies import design_sections
 from nonhertz.study.design import Design, Front, optimize, pareto
 from nonhertz.study.figures import design_figures, front_figures
 
-#: Of the loads of a front.
+#: The two groups of loads of a front.
 GROUPS = ("without tilt", "with tilt")
 
 
@@ -47,12 +47,12 @@ def design(
     plan : Path
         The plan file, with tables vary and design.
     starts : int
-        Number of searches, each from another place; by default that of the plan, or 5.
+        Number of searches, each from a different starting point; by default that of the plan, or 5.
     front : int
-        In place of a goal, so many points of the Pareto front of the largest pressures under the loads without tilt and
-        under those with tilt.
+        Number of points on a Pareto front, found instead of one optimum: the largest pressure under the loads with tilt
+        against that under the loads without.
     out : Path
-        Directory for case.toml (the optimised case), profile.csv, design.json and the figures, or of a front for
+        Directory for case.toml (the optimised case), profile.csv, design.json and the figures, or with --front for
         front.csv, front.json, a case file for each point and the figure; by default the file's name with '-design', in
         the current directory.
     """
@@ -74,7 +74,7 @@ def design(
 
 
 def _output_texts(design: Design, out: Path) -> dict[str, str]:
-    """Return the optimised case, the relief of both bodies together after and before, and all numbers, by file name."""
+    """Return the optimised case, the summed relief of both bodies after and before, and all numbers, by file name."""
     rows = np.column_stack(design.relief).tolist()
     cells = ([f"{y:.9g}", *("" if math.isnan(value) else f"{value:.9f}" for value in rest)] for y, *rest in rows)
     return {
@@ -88,7 +88,7 @@ def _output_texts(design: Design, out: Path) -> dict[str, str]:
 
 
 def _find_front(case: Case, options: dict[str, Any], points: int, workers: int | None, out: Path) -> Answer:
-    """Find the Pareto front of the loads of a plan without tilt and of those with tilt, and write it.
+    """Find the Pareto front between a plan's loads without tilt and those with tilt, and write it.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def _find_front(case: Case, options: dict[str, Any], points: int, workers: int |
     aligned = [load for load in loads if load.tilt == 0.0]
     tilted = [load for load in loads if load.tilt != 0.0]
     if not aligned or not tilted:
-        condition, remedy = "hold loads without tilt and loads with tilt for a front", "give the design both"
+        condition, remedy = "include loads without tilt and loads with tilt for a front", "give the design both"
         raise InputError("loads", f"{len(aligned)} without tilt and {len(tilted)} with", condition, remedy)
     if options.get("goal", "pressure") != "pressure":
         raise InputError("goal", options["goal"], "be 'pressure' for a front", "leave it out")
@@ -119,7 +119,7 @@ def _find_front(case: Case, options: dict[str, Any], points: int, workers: int |
 
 
 def _front_sections(front: Front) -> list[Section]:
-    """Return the points as people are shown them."""
+    """Return the points of a front as sections."""
     heads, columns = ["point"], []
     for name, (values, unit) in _columns(front).items():
         cells, read = of_dimension(values, unit).apart()
@@ -130,7 +130,7 @@ def _front_sections(front: Front) -> list[Section]:
 
 
 def _columns(front: Front) -> dict[str, tuple[Sequence[float], str]]:
-    """Return the numbers of the points by name, with their unit; free profiles are in the case files."""
+    """Return the numbers of the points by name, with their units; free profiles are in the case files."""
     groups = zip(GROUPS, (front.first, front.second), strict=True)
     paths = [path for path, value in front.values[0].items() if isinstance(value, float)]
     return {

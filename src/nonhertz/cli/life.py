@@ -51,7 +51,7 @@ def life(
         Names of the models: lundberg-palmgren, ioannides-harris, zaretsky, weibull, iso-16281. By default those in the
         file, or all of them.
     compared : Path
-        Another case file to compare with, by the same models: how much longer the first one lasts.
+        Another case file, for comparison by the same models: how much longer the first one lasts.
     out : Path
         Directory for life.json, tables and the figure; created if it does not exist.
     """

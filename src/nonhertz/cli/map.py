@@ -38,8 +38,8 @@ def contact_map(
 ) -> Answer:
     """Tabulate load, moment and stiffness of a case over approach and tilt.
 
-    A map is a stand-in for the contact, a thousand times as fast as solving it, with errors sampled at points of
-    their own. It takes hundreds of solves.
+    A map replaces the contact in other programs: it is a thousand times as fast as solving, with errors checked at
+    independent points. Making one takes hundreds of solves.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def contact_map(
     read = read_case(case, changes)
     pressing = {name: word for name, word in (("approach", approach), ("load", load)) if word is not None}
     if len(pressing) != 1:
-        raise InputError("--load", load, "be given where --approach is not, and only there", "write --load 0:20kN")
+        raise InputError("--load", load, "be given if --approach is not, and only then", "write --load 0:20kN")
     if out is not None and (out.suffix.lower() not in _SUFFIXES or out.is_dir()):
         remedy = "name a .csv file for a table, or a .npz file for the map itself"
         raise InputError("--out", str(out), f"be a file ending in {', '.join(_SUFFIXES)}", remedy)

@@ -19,7 +19,7 @@ def materials(name: str | None = None, /) -> Answer:
     Parameters
     ----------
     name : str
-        One of them, with the source of its numbers and what limits their use; by default all.
+        One material, with the sources of its numbers and the limits of their use; by default all are listed.
     """
     with rename_fields(name="NAME"):
         entries = LIBRARY if name is None else (find_entry(name),)
@@ -28,7 +28,7 @@ def materials(name: str | None = None, /) -> Answer:
     for group, members in groupby(entries, key=lambda entry: entry.group):
         rows += [(group,), *(_row(entry, factor) for entry in members)]
     yielding, core, limit = (f"{what} [{unit}]" for what in ("yield", "core", "pressure limit"))
-    words = ["Where a number comes from, and what limits its use: nonhertz materials NAME"]
+    words = ["Sources of the numbers and limits of their use: nonhertz materials NAME"]
     if name is not None:
         density, expansion = entries[0].density, entries[0].expansion
         details = (

@@ -42,23 +42,23 @@ def new(
     template : str
         A machine element: cylindrical, tapered, spherical, needle, wheel-on-rail, gear-flank or cam; with --bearing a
         bearing: cylindrical, needle, tapered-pair, spherical or thrust. By default a roller on a plate, or a NU 206,
-        with all that such a file may hold.
+        with every key that such a file may have.
     bearing : bool
         Write a bearing file instead.
     plan : bool
         Write a plan instead, for sweep, tolerance and design.
     case : Path
-        With --plan, the case file or bearing file that the plan is for; by default case.toml.
+        With --plan, the case file or bearing file of the plan; by default case.toml.
     catalogue : tuple of str
-        With --bearing, numbers of a catalogue, from which the rollers are guessed: d=30 D=62 B=16 C=44kN C0=36.5kN,
-        for other kinds kind=needle or kind=tapered with e, Y or alpha, and if known raceways F and E, number Z and
+        With --bearing, catalogue data from which the rollers are estimated: d=30 D=62 B=16 C=44kN C0=36.5kN, for other
+        kinds kind=needle or kind=tapered with e, Y or alpha, and, if known, raceway diameters F and E, number Z and
         length L of the rollers, and clearance.
     designation : str
-        With --bearing, a cylindrical roller bearing whose raceways catalogues print: "NU 206".
+        With --bearing, the designation of a cylindrical roller bearing whose raceways are in catalogues: "NU 206".
     geometries : Path
-        With --designation, a comma-separated file with geometries of your own: designation,d,D,B,C,C0,F,E,Z,L,source.
+        With --designation, a CSV file of your own geometries, with columns designation,d,D,B,C,C0,F,E,Z,L,source.
     rexs : Path
-        With --bearing, a file in REXS, version 1.4 or later, XML or JSON, with the bearing.
+        With --bearing, a REXS file (1.4 or later, XML or JSON) with the bearing.
     component : int
         With --rexs, the number of the bearing in a model of several.
     """
@@ -103,7 +103,7 @@ def _way_on(path: Path, case: Path | None, text: str, bearing: bool, plan: bool)
 
 
 def _refuse_together(sources: Mapping[str, str | None], bearing: bool, plan: bool) -> None:
-    """Refuse options that each say what to write, where there are several, and those of bearings without one."""
+    """Refuse more than one source of the file to write, and sources of bearings without ``--bearing``."""
     if bearing and plan:
         raise InputError("--plan", True, "not be given with --bearing", "write one file after the other")
     (name, value), *others = (*((name, value) for name, value in sources.items() if value), ("", ""))

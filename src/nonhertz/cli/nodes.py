@@ -31,20 +31,20 @@ def nodes(
 ) -> Answer:
     """Find pressures and forces of a case at the nodes of a finite element mesh.
 
-    Pressures are those of the contact at each node. Forces add up to the load, whatever the mesh.
+    Pressures are those of the contact at each node. The forces add up to the load on any mesh.
 
     Parameters
     ----------
     case : Path
         The case file.
     nodes : Path
-        Text in columns, with a head that names x and y, with units: 'node; x [mm]; y [mm]'. Other columns are kept.
+        Text in columns, whose first line names x and y with units: 'node; x [mm]; y [mm]'. Other columns are kept.
     out : Path
         The CSV file to write; by default the name of the file of nodes with '-pressure.csv', in the current directory.
     """
     path = default_output_path(nodes, "-pressure.csv", out)
     if path.suffix.lower() != ".csv" or path.is_dir() or path.resolve() == nodes.resolve():
-        raise InputError("--out", str(path), "be a .csv file, and not that of the nodes", "choose another name")
+        raise InputError("--out", str(path), "be a .csv file other than that of the nodes", "choose another name")
     read = read_case(case, changes)
     with rename_fields(path="NODES"):
         mesh = read_nodes(nodes)
@@ -66,15 +66,15 @@ def _describe_loads(solution: Solution, loads: NodalLoads) -> list[str]:
     ]
     load = solution.load
     if np.any(np.isnan(loads.force)):
-        return [*sentences, "The nodes span no area: there are no forces, and the pressures have no sum in N."]
+        return [*sentences, "The nodes span no area, so there are no forces, and the pressures cannot be integrated."]
     sentences.append(f"The forces add up to {newton(float(np.sum(loads.force)))} of the load of {newton(load)}.")
     if loads.outside > _NOTICED * load:
-        sentences.append(f"{newton(loads.outside)} lie outside the nodes, {_percent(loads.outside, load)} of the load.")
-    carried = loads.interpolated_load
-    factor = f"; times {load / carried:.6g} they carry it whole" if carried > 0.0 else ""
+        sentences.append(f"{newton(loads.outside)} lie outside the mesh, {_percent(loads.outside, load)} of the load.")
+    interpolated = loads.interpolated_load
+    factor = f"; multiply them by {load / interpolated:.6g} to match it" if interpolated > 0.0 else ""
     sentences.append(
-        f"The pressures, interpolated linearly between the nodes, carry {newton(carried)}, {_percent(carried, load)} "
-        f"of the load{factor}."
+        f"The pressures, interpolated linearly between the nodes, integrate to {newton(interpolated)}, "
+        f"{_percent(interpolated, load)} of the load{factor}."
     )
     return sentences
 

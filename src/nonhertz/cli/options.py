@@ -1,4 +1,4 @@
-"""Options that several commands have, arguments that are refused under their names, and where results are written."""
+"""Options shared by commands, errors that name options in place of arguments, and where results are written."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
     from nonhertz.files.resultfile import Result
 
-#: The options that most commands have, below those of their own.
+#: The group of options that most commands have, listed below their own.
 _COMMON = Group("Common", sort_key=9)
 
-# The words of this option are read before a command is called.
+# The changes are parsed before a command is called.
 if TYPE_CHECKING:
     Changes = Mapping[str, Any]
 else:
@@ -63,7 +63,7 @@ Judge = Annotated[
 ]
 Excel = Annotated[
     bool,
-    Parameter(name="--excel", negative="", help="Write the rows as rows.xlsx, too, with the inputs on a second sheet."),
+    Parameter(name="--excel", negative="", help="Also write the rows as rows.xlsx, with the inputs on a second sheet."),
 ]
 Workers = Annotated[int | None, Parameter(help="Number of processes; by default one for each core.")]
 Scheduler = Annotated[
@@ -71,7 +71,7 @@ Scheduler = Annotated[
     Parameter(help="Address of a Dask scheduler whose workers solve the rows, such as tcp://10.0.0.1:8786."),
 ]
 Words = Annotated[tuple[str, ...], Parameter(consume_multiple=True, negative="", show_default=False)]
-#: Arguments of designs as plan files and options call them.
+#: Names of the arguments of a design in plan files and options.
 DESIGN_NAMES = {
     "bounds": "vary", "constraints": "where", "n_starts": "--starts", "points": "--front", "threads": "--workers"
 }  # fmt: skip
@@ -90,7 +90,7 @@ def rename_fields(**options: str) -> Iterator[None]:
 
 
 def default_output_path(file: Path, ending: str, out: Path | None) -> Path:
-    """Return where a command writes: to ``--out``, else beside the caller under the name of its file."""
+    """Return where a command writes: ``--out``, or the file's name with ``ending`` in the current directory."""
     return Path(f"{printable_name(file.stem)}{ending}") if out is None else out
 
 
@@ -135,17 +135,17 @@ def refuse_together(options: Mapping[str, Any], remedy: str) -> None:
 
 
 def split_assignments(words: Iterable[str], example: str, option: str) -> dict[str, str]:
-    """Return what stands before and behind the equals signs of the words of an option; raises as `split_assignment`."""
+    """Return names and values of the assignments of an option; raises as `split_assignment`."""
     return dict(split_assignment(word, example, option) for word in words)
 
 
 def split_assignment(word: str, example: str = "--over load.load=5kN:40kN:8", option: str = "") -> tuple[str, str]:
-    """Return what stands before and behind the equals sign of a word of an option.
+    """Return name and value of an assignment of an option.
 
     Raises
     ------
     InputError
-        If there is none.
+        If there is no equals sign.
     """
     path, equals, values = word.partition("=")
     if not equals or not path.strip():

@@ -40,9 +40,9 @@ def print_result(
     *,
     piped: int | None = 120,
 ) -> None:
-    """Print a result as people read it: title, verdict, sections, warnings, and the files that were written.
+    """Print a result for people: title, verdict, sections, warnings, and the files that were written.
 
-    Where there is no terminal it is so wide as ``piped`` says, None for what COLUMNS says, or else 80.
+    Without a terminal the width is ``piped`` columns; None for COLUMNS, or else 80.
     """
     console = Console(highlight=False, width=None if sys.stdout.isatty() else piped)
 
@@ -69,7 +69,7 @@ def print_result(
 
 
 def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Notes]]:
-    """Return what stands together without an empty line; summaries that follow each other are one table."""
+    """Return the blocks between which no empty line is printed; consecutive summaries are one table."""
     groups: list[list[Table | Notes]] = []
     for section in sections:
         blocks = [block for block in section.blocks if isinstance(block, Table | Notes) and len(block)]
@@ -86,9 +86,9 @@ def _is_summary(block: Table | Notes) -> TypeGuard[Table]:
 
 
 def _print_rows(console: Console, shown: Table) -> None:
-    """Print rows, without the columns that are blank throughout: numbers to the right, words to the left.
+    """Print rows, without columns that are blank throughout: numbers aligned right, words left.
 
-    A table is wider than the terminal if need be: a truncated number looks like a different one. No line breaks between
+    A table may be wider than the terminal, since a truncated number looks like a different one. No line breaks between
     a number and its unit, and none ends in blanks.
     """
     heads, columns = shown.heads, shown_columns(shown)
@@ -146,12 +146,12 @@ class Progress:
         self.wipe()
 
     def announce(self, name: str) -> None:
-        """Say which step is next."""
+        """Show the name of the next step."""
         self._done += 1
         self._write(f"{self._done if self._steps is None else f'{self._done}/{self._steps}'} {name} ...")
 
     def wipe(self) -> None:
-        """Leave an empty line."""
+        """Clear the line."""
         self._write("")
 
     def _write(self, line: str) -> None:
@@ -162,7 +162,7 @@ class Progress:
 
 @contextlib.contextmanager
 def progress_bar(what: str) -> Iterator[Update | None]:
-    """Show a bar with the time to go, on a terminal: how many are done, of how many, and how many were there before."""
+    """Show a progress bar on a terminal; it is updated with the numbers done, in total, and done before the start."""
     if not sys.stderr.isatty():
         yield None
         return

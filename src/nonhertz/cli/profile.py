@@ -23,7 +23,7 @@ from nonhertz.plot.measured import measured_figure
 from nonhertz.show.measured import sections
 
 BEST = "best"
-KEYS = (*READING, *PREPARING)  # of a measured profile in a file, which the options of these names are
+KEYS = (*READING, *PREPARING)  # keys of a measured profile in a file, and options of the same names
 _NO, _YES = frozenset({"no", "false", "none"}), frozenset({"yes", "true"})
 # Options whose values are always text, whatever they look like.
 _WORDS = frozenset({"position_unit", "height_unit", "sense"})
@@ -70,15 +70,15 @@ def profile(
     step : str
         Distance between neighbouring points, such as 0.5um, where the file has heights alone, one per line.
     level : bool
-        Remove the tilt at which the body lay in the machine; --no-level keeps it.
+        Remove the tilt of the body in the measuring machine; --no-level keeps it.
     align : str
         How to find the middle of the body: ends, symmetry or no.
     trim : str
-        What is kept: auto for the land and its corners, a length, or no for all.
+        What to keep: auto for the land and its corners, a length, or no for all.
     corner : str
-        keep the corners that the trace holds, or cut them off.
+        keep the corners in the trace, or cut them off.
     outliers : str
-        Robust standard deviations beyond which points are removed, 5 by default, or no.
+        Number of robust standard deviations beyond which a point is removed, 5 by default, or no.
     smooth : str
         Filter: gaussian, spline or no.
     cutoff : str
@@ -114,7 +114,7 @@ def profile(
 
 @contextlib.contextmanager
 def _rename_options() -> Iterator[None]:
-    """Name refused values by the options that people type."""
+    """Name refused values by their options."""
     try:
         yield
     except InputError as error:

@@ -1,4 +1,4 @@
-"""``nonhertz report``: one HTML file for all who lack the program."""
+"""``nonhertz report``: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nonhertz.report import MARK, count_steps, post_process, solve_all, to_html
 from nonhertz.report.results import make_all, require_one_kind
 
 _REMEDY = "give the name of a file such as report.html"
-_NEAR = 2000  # characters at the beginning of a report, which include its mark
+_NEAR = 2000  # characters at the beginning of a report, including its mark
 
 
 def report(
@@ -57,9 +57,9 @@ def report(
         Whether to assess lives, which takes a few seconds per load; by default only for cases with a table life.
         Bearings are always rated unless --no-life.
     stress : bool
-        Search for the largest stresses below the surface, of case files.
+        For case files, search for the largest stresses below the surface.
     compare : bool
-        Set strips beside the slices of ISO/TS 16281, of bearing files.
+        For bearing files, compare strips with the slices of ISO/TS 16281.
     project : str
         Project in the head of the report; like the options below, it takes precedence over the first file's table
         report.
@@ -74,7 +74,7 @@ def report(
         block = TitleBlock(project=project, author=author, date=date)
     cases = (case, *more)
     path = _target(out, cases)
-    with without_accuracy_warnings():  # which the report shows
+    with without_accuracy_warnings():  # the report shows them
         read = make_all(cases, lambda path: path, lambda path: read_any(path, changes))
     with rename_fields(cases="CASE"):
         first = require_one_kind(read)[0]

@@ -28,8 +28,8 @@ def serve(
     Parameters
     ----------
     case : Path
-        The case file or bearing file to start with; by default the case that 'nonhertz new' writes. The page reads no
-        files: a profile from a file starts with its points.
+        The case file or bearing file to start with; by default the case that 'nonhertz new' writes. The page itself
+        reads no files: a profile from a file is shown as its points.
     port : int
         Port on which the page is served; 0 for any free port.
     browser : bool
@@ -46,7 +46,7 @@ def serve(
 
 
 class Start(NamedTuple):
-    """What the page starts with: a case or a bearing, notes on the files that it named, and the text of its file."""
+    """What the page starts with: a case or a bearing, notes on the files that it names, and the text of its file."""
 
     document: dict[str, Any]
     notes: tuple[str, ...] = ()

@@ -33,7 +33,7 @@ def solve(
     changes: Changes = NONE,
     out: Path | None = None,
 ) -> Answer:
-    """Solve cases and print a summary, or a table of several.
+    """Solve one case and print a summary, or several and print a table.
 
     Parameters
     ----------
@@ -42,8 +42,8 @@ def solve(
     more : tuple of Path
         More case files. One that fails does not stop the others.
     out : Path
-        Directory for result.json, table.csv and the figures; created if it does not exist. With several cases each has
-        a folder in it, beside the table of all, cases.csv. A file .xlsx or .csv for the table alone.
+        Directory for result.json, table.csv and the figures; created if it does not exist. With several cases it has a
+        folder for each, and the table of all, cases.csv. A name ending in .xlsx or .csv writes the table alone.
     """
     if more or _is_table(out):
         return _solve_several((case, *more), changes, out)

@@ -38,8 +38,8 @@ def stress(
 ) -> Answer:
     """Find the largest stresses of a case below the surface.
 
-    Size and position of the largest von Mises, maximum shear and orthogonal shear stress, in the whole body and in one
-    cross-section of it.
+    Prints size and position of the largest von Mises, maximum shear and orthogonal shear stress, in the whole body and
+    in one cross-section.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def stress(
     station : float
         Position of the cross-section along the contact [mm]; by default where the von Mises stress is largest.
     body : str
-        The body to examine, a or b. Both bear the same pressure.
+        The body to examine, a or b. Both are under the same pressure.
     out : Path
         Directory for stress.json, tables and figures of two planes; created if it does not exist.
     """

@@ -49,18 +49,18 @@ def sweep_plan(
 ) -> Answer:
     """Solve a case or a bearing for many values of its inputs.
 
-    Rows are kept as they are solved. A sweep that was stopped, however it was, goes on when the same command is given
-    again. A row that fails holds the sentence that says why, and does not stop the others.
+    Rows are saved as they are solved; the same command continues a sweep that was interrupted. A row that fails records
+    the reason and does not stop the others.
 
     Parameters
     ----------
     plan : Path
         The plan file; or a case file or a bearing file, with --over.
     over : tuple of str
-        A path of the file and what it runs over, such as load.load=5kN:40kN:8 for eight values, load.tilt=0,0.5mrad for
-        two, or 'body.b.diameter=normal(80mm,5um)' for samples; may be given several times.
+        A path in the file and its values, such as load.load=5kN:40kN:8 for eight values, load.tilt=0,0.5mrad for two,
+        or 'body.b.diameter=normal(80mm,5um)' for samples; may be given several times.
     quantities : tuple of str
-        Names of the numbers of a row, such as max_pressure life; by default the usual ones.
+        Names of the quantities in each row, such as max_pressure life; by default the usual ones.
     out : Path
         Directory for the rows, rows.csv, rows.parquet (where polars is installed) and the figures; by default the
         file's name with '-sweep', in the current directory.
@@ -80,7 +80,7 @@ def sweep_plan(
 def load_plan(
     file: Path, over: Sequence[str], quantities: Sequence[str], table: str, changes: Mapping[str, Any]
 ) -> Plan:
-    """Return the plan of a file, what it varies in one of its tables; or of a case, what the command line varies.
+    """Return the plan in a file, which varies the inputs in ``table``; or a plan for a case, which varies ``over``.
 
     ``changes`` are values in place of those in the case file, by path.
 
@@ -109,11 +109,11 @@ def load_plan(
 
 
 def report_rows(update: Update | None) -> Callable[[Progress], object]:
-    """Return what says before the first row how many there are and how long they take, and shows how many are done."""
+    """Return a callback that prints before the first row how many there are and their duration, then shows progress."""
 
     def announce(come: Progress) -> None:
         if come.done == come.resumed:
-            complete = f"all {come.total} rows were there" if come.resumed == come.total else ""
+            complete = f"all {come.total} rows had been solved before" if come.resumed == come.total else ""
             notices = [complete or f"continuing from {come.resumed} of {come.total} rows"] if come.resumed else []
             if come.seconds is not None and come.seconds >= WORTH_SAYING:
                 notices.append(f"{come.total - come.resumed} rows, {round_time(come.seconds)}")
@@ -126,7 +126,7 @@ def report_rows(update: Update | None) -> Callable[[Progress], object]:
 
 
 def round_time(seconds: float) -> str:
-    """Return a time as people say it, of which no more is known than its size.
+    """Return a rough time in words.
 
     Examples
     --------

@@ -45,24 +45,24 @@ def study_tolerance(
 ) -> Answer:
     """Propagate tolerances to results, and rank their influence.
 
-    Rows are kept as those of 'nonhertz sweep' are, and the same command goes on where it was stopped.
+    Rows are saved as they are solved; the same command continues a study that was interrupted.
 
     Parameters
     ----------
     plan : Path
         The plan file, with a table tolerance; or a case file or a bearing file, with --over.
     over : tuple of str
-        A path of the file and its distribution, such as 'body.b.diameter=normal(nominal,5um)'; may be given several
+        A path in the file and its distribution, such as 'body.b.diameter=normal(nominal,5um)'; may be given several
         times.
     quantities : tuple of str
-        Names of the numbers that matter, such as max_pressure life; by default the usual ones.
+        Names of the quantities to study, such as max_pressure life; by default the usual ones.
     limits : tuple of str
-        A quantity and what it is to stay within, such as 'max_pressure=at most 3800 MPa': the share beyond and Cpk are
-        printed; may be given several times. In place of those of the plan.
+        A quantity and its limit, such as 'max_pressure=at most 3800 MPa': the fraction beyond it and Cpk are printed;
+        may be given several times. They replace the limits of the plan.
     samples : int
-        How many rows at most, 2000 if neither this nor the plan says it; more make intervals narrower.
+        Largest number of rows, by default that of the plan, or 2000; more give narrower confidence intervals.
     seed : int
-        The same seed draws the same samples; 0 if neither this nor the plan says it.
+        Seed of the samples, by default that of the plan, or 0; the same seed draws the same samples.
     out : Path
         Directory for the rows, rows.csv, rows.parquet (where polars is installed), tolerance.json and the figures; by
         default the file's name with '-tolerance', in the current directory.

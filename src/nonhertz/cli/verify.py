@@ -17,8 +17,8 @@ HEADS = ("", "computed", "expected", "off by", "allowed", "", "expected by")
 def verify(*, as_json: AsJson = False) -> int:
     """Check that this installation computes known numbers.
 
-    Numbers of every part of the program are set beside closed forms, publications and other methods, in some five
-    seconds; the exit code is 1 if one is off by more than its tolerance. Differences are relative, but from 0.
+    Numbers from every part of the program are compared with closed forms, publications and other methods, in some five
+    seconds; the exit code is 1 if one is off by more than its tolerance. Differences are relative, except from 0.
     """
     with Progress(len(selfcheck.SECTIONS)) as progress:
         checks = list(selfcheck.run(progress.announce))
