@@ -77,7 +77,7 @@ def test_a_maximum_at_a_corner_of_the_profile_has_no_limit():
     tapered = nh.Roller(diameter=20, length=20, profile=nh.profile.tapered_ends(straight=10, angle=10e-3))
     cornered = solved(tapered, nh.Plate(), load=5e3)
     assert {edge.kind for edge in cornered.edge_pressure} == {nh.EdgeKind.RUN_OUT}
-    assert rows(cornered)["maximum pressure"][1] == "no limit, at a corner of the profile"
+    assert rows(cornered)["maximum pressure"][1] == "unbounded, at a corner of the profile"
 
 
 @pytest.mark.parametrize("tilt", [math.radians(2.0), -math.radians(2.0)])

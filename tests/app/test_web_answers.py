@@ -68,7 +68,7 @@ def test_numbers_are_those_of_the_solver():
     assert (found["status"], found["complaint"]) == ("converged", "")
     # The same solver on the same machine: all digits.
     assert found["key"]["approach"] == solution.approach
-    assert found["key"]["max_pressure"] == tile(found, "Largest pressure")["number"] == solution.max_pressure
+    assert found["key"]["max_pressure"] == tile(found, "Maximum pressure")["number"] == solution.max_pressure
     assert tile(found, "Half-width")["where"] == "largest"
     pressed = solution.line_load > 0.0
     pressure, half_width = lines_of(found)
@@ -186,7 +186,7 @@ def test_singular_ends_are_told_and_scale_without_them():
     found = answer(changed(body__a__profile=[], body__a__side_faces="none", load__tilt=0.0))
     assert "away from singular ends" in tile(found, "Half-width")["where"]
     assert 0.0 < found["key"]["max_pressure"] < 0.5 * max(lines_of(found)[0]["y"])
-    assert "away from singular ends" in tile(found, "Largest pressure")["where"]
+    assert "away from singular ends" in tile(found, "Maximum pressure")["where"]
 
 
 def test_an_unconverged_solve_is_shown_with_its_complaint(monkeypatch):

@@ -97,11 +97,11 @@ def test_numbers_are_those_of_the_solver(method):
     assert found["most"] == int(solution.load.max(axis=1).argmax())
     assert numbers["Loaded rollers"] == np.count_nonzero(solution.load.min(axis=1))
     if method == "strips":
-        assert numbers["Largest pressure"] == solution.max_pressure.max()
+        assert numbers["Maximum pressure"] == solution.max_pressure.max()
         roller, ring = np.argwhere(solution.max_pressure == solution.max_pressure.max())[0]
         assert found["numbers"][0]["where"] == f"roller {roller + 1}, {('inner', 'outer')[ring]} ring"
     else:
-        assert numbers["Largest pressure"] is None
+        assert numbers["Maximum pressure"] is None
     assert ("pressure" in drawn(found)) == (method == "strips")
 
 
@@ -321,7 +321,7 @@ def test_films_are_drawn_where_oil_and_speed_are_known():
     found = answer(oiled)
     assert [panel["name"] for panel in found["films"]["film"]["panels"]] == ["film-1"]
     assert found["films"]["film-along"]["panels"][0]["upright"]["unit"] == "µm"
-    assert any(name == "least film" for name, *_ in found["summary"])
+    assert any(name == "minimum film" for name, *_ in found["summary"])
     assert answer(changed(FEW, "lubrication", {}))["films"] == {}
     assert b"<svg" in jobs.drawn(oiled, "film-along", "svg")
 

@@ -54,7 +54,7 @@ def test_it_shows_what_the_solver_finds(bearing):
     found, shown = BearingCase.of(tomllib.loads(FEW), Path("six.toml")).solve(), bearing.numbers
     assert method_of(bearing) == "by strips"
     assert_allclose(shown["Largest roller load"], found.load.max(), rtol=SAME)
-    assert_allclose(shown["Largest pressure"], found.max_pressure.max(), rtol=SAME)
+    assert_allclose(shown["Maximum pressure"], found.max_pressure.max(), rtol=SAME)
     assert_allclose(shown["Displacement"], abs(found.displacement[1]), rtol=1e-6)  # along y but for rounding
     assert text_of(bearing) == FEW
     assert bearing.page.locator("#rollers tbody tr").count() == 6
@@ -65,7 +65,7 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     slider = bearing.slider("load.radial")
     box = slider.bounding_box()
     across = lambda share: box["x"] + (0.05 + 0.9 * share) * box["width"]  # noqa: E731
-    before, answers, pressure = bar(bearing, 0, "inner"), bearing.answers, bearing.numbers["Largest pressure"]
+    before, answers, pressure = bar(bearing, 0, "inner"), bearing.answers, bearing.numbers["Maximum pressure"]
     mouse, middle = bearing.page.mouse, box["y"] + 0.5 * box["height"]
     mouse.move(across(0.2), middle)
     mouse.down()
@@ -76,8 +76,8 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     bearing.page.locator('[data-figure="polar"] .remark', has_text="by slices").wait_for()
     assert "stale" in bearing.page.locator('[data-figure="pressure"]').get_attribute("class")
     assert "strips follow" in bearing.page.locator(".state").inner_text()
-    assert bearing.numbers["Largest pressure"] == pressure, "that by strips stays, and is said to be older"
-    kept = bearing.page.locator('[data-key="Largest pressure"].stale')
+    assert bearing.numbers["Maximum pressure"] == pressure, "that by strips stays, and is said to be older"
+    kept = bearing.page.locator('[data-key="Maximum pressure"].stale')
     assert kept.locator(".where").inner_text().startswith("before the change, roller 1")
     assert bearing.page.locator("#verdict.stale").inner_text().startswith("Before the change: ")
     bearing.page.wait_for_timeout(800)
@@ -85,7 +85,7 @@ def test_dragging_redraws_by_slices_and_strips_follow(bearing):
     mouse.up()
     bearing.settle()
     assert bar(bearing, 0, "inner") != before
-    assert bearing.numbers["Largest pressure"] > pressure
+    assert bearing.numbers["Maximum pressure"] > pressure
     assert not bearing.page.locator(".key-number.stale, #verdict.stale").count()
     bearing.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
     assert bearing.answers - answers >= 2, "the picture was drawn again while the slider moved"
@@ -168,7 +168,7 @@ def test_a_contact_is_opened_on_the_page_of_contacts(bearing):
     case = BearingCase.of(tomllib.loads(FEW), Path("six.toml"))
     loaded = case.solve()
     assert_allclose(bearing.numbers["Load"], loaded.load[1, 1], rtol=SAME)
-    assert_allclose(bearing.numbers["Largest pressure"], loaded.max_pressure[1, 1], rtol=SAME)
+    assert_allclose(bearing.numbers["Maximum pressure"], loaded.max_pressure[1, 1], rtol=SAME)
     bearing.page.go_back()
     bearing.settle()
     assert bearing.page.locator('[data-roller="1"]').get_attribute("aria-label") == loads

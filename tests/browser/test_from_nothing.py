@@ -26,7 +26,7 @@ def assert_bears(desk: Desk, rollers: int) -> None:
     desk.page.locator('[data-figure="polar"] .remark', has_text="by strips").wait_for()
     assert desk.mistakes == []
     assert desk.numbers["Loaded rollers"] == rollers
-    assert 500.0 < desk.numbers["Largest pressure"] < 4000.0
+    assert 500.0 < desk.numbers["Maximum pressure"] < 4000.0
     assert desk.page.locator("#rollers tbody tr").count() == rollers
 
 

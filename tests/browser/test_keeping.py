@@ -39,8 +39,8 @@ def test_pinned_cases_stay_beside_the_next(desk):
     assert desk.page.locator('[data-key="Load"] .pinned-number').text_content().strip() == "+30.0 % from the pinned one"
     assert row(desk, -1)["Load"] == "26.00 kN\n+30.0 %"
     now = desk.numbers
-    change = 100.0 * (now["Largest pressure"] / before["Largest pressure"] - 1.0)
-    words = desk.page.locator('[data-key="Largest pressure"] .pinned-number b').inner_text()
+    change = 100.0 * (now["Maximum pressure"] / before["Maximum pressure"] - 1.0)
+    words = desk.page.locator('[data-key="Maximum pressure"] .pinned-number b').inner_text()
     assert_allclose(float(words.removesuffix(" %")), change, atol=0.051)  # written with one decimal, or two
     # It rises with the load, since that of the ideal profile falls faster.
     assert desk.page.locator('[data-key="Life"] .pinned-number b').inner_text() == "under another load"
@@ -115,7 +115,7 @@ def test_the_downloaded_case_solves_to_what_the_page_shows(desk, tmp_path):
     path = tmp_path / "case.toml"
     path.write_bytes(desk.download("case.toml"))
     found, shown = nh.read_case(path).solve(), desk.numbers
-    assert_allclose(shown["Largest pressure"], found.max_pressure, rtol=SAME)
+    assert_allclose(shown["Maximum pressure"], found.max_pressure, rtol=SAME)
     assert_allclose(shown["Approach"], found.approach, rtol=SAME)
     assert_allclose(shown["Half-width"], found.half_width.max(), rtol=SAME)
     assert_allclose(json.loads(desk.download("result.json"))["centre_pressure"], found.centre_pressure, rtol=SAME)

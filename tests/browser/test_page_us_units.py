@@ -55,7 +55,7 @@ def test_all_that_is_read_of_a_contact(desk):
         name: value for name, value in before.items() if name != "von Mises stress"
     }
     for name, unit, size in (
-        *(("Largest pressure", "ksi", MPA_PER_KSI), ("Approach", "µin", 1e-6 * MM_PER_IN)),
+        *(("Maximum pressure", "ksi", MPA_PER_KSI), ("Approach", "µin", 1e-6 * MM_PER_IN)),
         *(("Load", "lbf", N_PER_LBF), ("Half-width", "in", MM_PER_IN), ("von Mises stress", "ksi", MPA_PER_KSI)),
     ):
         number, shown = tile(desk, name)
@@ -91,7 +91,7 @@ def test_fields_follow_and_the_case_stays(desk):
     desk.page.locator('#case .field[data-path="body.a.diameter"] select.unit').select_option("mm")
     desk.wait_for_answer(answers)
     assert desk.shown("body.a.diameter") == "20 mm"
-    assert_allclose(desk.numbers["Largest pressure"], before["Largest pressure"], rtol=1e-12)
+    assert_allclose(desk.numbers["Maximum pressure"], before["Maximum pressure"], rtol=1e-12)
     # A plain number is in what stands beside it.
     answers = desk.answers
     desk.type(desk.field("load.load"), "5000")

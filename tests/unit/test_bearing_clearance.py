@@ -360,7 +360,7 @@ def test_warm_inner_rings_move_the_rows_of_a_pair_apart(arrangement, given):
         pytest.approx(given)
     )
     said = {remark: value for _, value, remark in summary_rows(apart, apart.solve("slices"))}
-    assert float(said["given by temperatures between rows"].split()[0]) == pytest.approx(given)
+    assert float(said["increase by temperatures between the rows"].split()[0]) == pytest.approx(given)
 
 
 def test_parts_of_other_materials_are_not_taken_for_steel():

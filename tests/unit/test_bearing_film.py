@@ -144,7 +144,7 @@ def test_without_a_speed_or_an_oil_a_film_is_not_judged():
     still = case(oil=False, **{"load.speed": None})
     solved = still.solve()
     assert still.films(solved) is None
-    assert film_rows(still, None) == [("least film", "not judged", "give load.speed and an oil in [lubrication]")]
+    assert film_rows(still, None) == [("minimum film", "not judged", "give load.speed and an oil in [lubrication]")]
     with pytest.raises(nh.InputError, match=r"lubrication = .* must have a viscosity"):
         films(solved, speed=1000, lubrication=nh.bearing.Lubrication())
     with pytest.raises(nh.InputError, match=r"speed = -1 must be positive"):

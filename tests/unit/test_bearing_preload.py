@@ -77,7 +77,7 @@ def test_it_is_written_shown_and_read_back(tmp_path):
     case.write(tmp_path / "pair.toml")
     assert read_bearing(tmp_path / "pair.toml") == case
     solution = case.solve()
-    assert ("preload", "2 kN", "axial, of the rows as they are mounted, without load") in summary_rows(case, solution)
+    assert ("preload", "2 kN", "axial, of the mounted rows without load") in summary_rows(case, solution)
     (tmp_path / "result.json").write_text(json.dumps(as_object(solution, case, None, "")))
     assert nh.read_result(tmp_path / "result.json").solution.bearing.clearance == pytest.approx(case.mounted.clearance)
 

@@ -141,7 +141,7 @@ def test_the_files_inside_solve_to_the_same_numbers(page, results_of_case, tmp_p
 
 def test_key_numbers_stand_first(results_of_case):
     shown = {name: float(value.split()[0]) for name, (value, _) in numbers_of(results_of_case).items()}
-    assert shown["Largest pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=5e-4)
+    assert shown["Maximum pressure"] == pytest.approx(results_of_case.solution.max_pressure, rel=5e-4)
     assert shown["Approach"] == pytest.approx(1e3 * results_of_case.solution.approach, rel=5e-4)
     assert results_of_case.stress is not None
     largest = results_of_case.stress[0].von_mises.max
@@ -175,7 +175,7 @@ def test_inputs_have_value_unit_meaning_and_say_what_is_a_default():
 def told_of_steps(case: Case) -> dict[str, str]:
     """Return what a report says of each step of the only measured profile."""
     page = compose([case], stress=False)
-    (part,) = re.findall(r"What was done to roller.txt: body a, profile 1</h2>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)
+    (part,) = re.findall(r"Preparation of roller.txt: body a, profile 1</h2>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)
     return dict(re.findall(r'<th scope="row">(.*?)</th>\s*<td[^>]*>(.*?)</td>', part))
 
 
@@ -193,7 +193,7 @@ def test_what_was_done_to_a_measured_profile_is_told_and_drawn(tmp_path):
     assert told["level"].startswith("A tilt of 2 mrad was removed")
     assert told["align"].startswith("The middle of the body, 4 mm in the file, became y = 0")
     page = compose([case], stress=False)
-    assert "What was done to roller.txt" in page
+    assert "Preparation of roller.txt" in page
     assert told["level"] in page
     assert "From the measured points of roller.txt to the profile, step by step." in page
 
@@ -235,7 +235,7 @@ def test_two_cases_are_compared_by_what_differs():
     # A default that is written down is no difference.
     differing, same, notes = compare_inputs([collect_inputs(each) for each in pair])
     assert differing == [("load", "4000 N", "8000 N")]
-    assert notes == ["More than shapes differs, so that not all numbers compare: load."]
+    assert notes == ["Not all results are comparable, since more than shapes differs: load."]
     assert {row[0]: row[1] for row in same}["body a, diameter"] == "15 mm"
     assert "body b, position" in {row[0] for row in same}
     assert "body a, side faces" not in {row[0] for row in same}
@@ -309,7 +309,7 @@ def test_a_case_that_has_not_converged_is_told_as_such(results_of_case):
     assert "Not solved. It stopped." in page.text
     assert "stagnated" in page.text
     # Nor are the points there, as where they are too many.
-    assert "points/a.csv is named by the case file but not included here" in page.text
+    assert "points/a.csv is named in the case file, but not included here" in page.text
 
 
 def test_what_the_solver_refuses_is_named_by_its_file():

@@ -1,13 +1,13 @@
-"""One self-contained HTML file with everything about a case, or a comparison of several, for all who lack the program.
+"""One self-contained HTML file with everything about a case, or a comparison of several, readable without the program.
 
 `compose` makes it from cases, of contacts or of bearings. In steps: `solve_all` solves them, `post_process` adds stress
 below the surface, life and slices, `to_html` writes the page. The file loads nothing from elsewhere and contains no
-script and no date: the same cases on the same machine give the same bytes.
+script; without a date, the same cases on the same machine give the same bytes.
 
-How it is made: a page is a list of sections (`page`). Those of results are what a terminal shows, too
-(`nonhertz.show`), with figures between them; the others are what the results rest on (`inputs`, `assumptions`,
-`method`), or several results side by side (`differences`). The templates and their style sheet only lay out tables,
-sentences, figures as images that contain their SVG, and files as links that contain them (`downloads`).
+A page is a list of sections (`page`). The sections of results are the same as in a terminal (`nonhertz.show`), with
+figures between them; the others state the basis of the results (`inputs`, `assumptions`, `method`), or show several
+results side by side (`differences`). The templates and their style sheet only lay out tables, sentences, figures as
+images that contain their SVG, and files as links that contain them (`downloads`).
 """
 
 from nonhertz.files.title_block import TitleBlock as TitleBlock

@@ -1,8 +1,8 @@
-"""What a result rests on: each assumption with its criterion, this case's number, and whether it holds.
+"""The assumptions behind a result: each with its criterion, the number of this case, and whether it holds.
 
 The limits are those at which the solver warns, and for errors the difference above which a comparison of methods names
-the place. Where no input shows whether an assumption holds, it is marked as not judged. A single contact and all those
-of a bearing are judged alike.
+the place. An assumption that no input can confirm is marked as not judged. Single contacts and contacts of bearings are
+judged by the same rules.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ from nonhertz.strength import CheckStatus, Strength, onset_of_yield
 from nonhertz.strip.element import SEMI_ELLIPTIC
 
 NO_ERROR = 1e-12  # relative: rounding
-# A load that turns with a tilted ring by 1 %, the difference that counts in comparisons.
+# rad: the tilt of a ring that turns a load by 1 %, the difference that counts in comparisons.
 MOST_TILT = NOTABLE
-COUNTS = 0.1  # of the largest load: of contacts that bear less the errors are relative to little
+COUNTS = 0.1  # of the largest load; in contacts with less, errors are relative to little
 NO_INPUT = "not an input"
 _PARTS = {"Body a is thick": "Rollers are thick", "Body b is thick": "Rings are thick"}
 
 
 class Verdict(enum.Enum):
-    """Whether an assumption holds, from the best to the worst; each member's value is what the reader sees."""
+    """Whether an assumption holds, from best to worst; the value of a member is shown to the reader."""
 
     HOLDS = "holds"
     OPEN = "not judged"
@@ -80,16 +80,16 @@ class Assumption:
     remark: str = ""
 
 
-SURFACES = Assumption("Surfaces", "dry, smooth, without friction", NO_INPUT, remark="Roughness is neglected.")
+SURFACES = Assumption("Surfaces", "dry, smooth and frictionless", NO_INPUT, remark="Roughness is neglected.")
 _NEGLECTED = (
-    Assumption("Rollers do not skew", "axes stay in planes with that of the bearing", NO_INPUT),
-    Assumption("No friction, no film", "contacts and ribs transmit normal loads alone", NO_INPUT),
-    Assumption("Even cage", "rollers keep their distances", NO_INPUT, remark="The cage takes no load."),
+    Assumption("Rollers do not skew", "the axes of rollers and bearing stay in a plane", NO_INPUT),
+    Assumption("No friction, no film", "contacts and ribs transmit normal loads only", NO_INPUT),
+    Assumption("Equally spaced rollers", "the cage keeps their distances", NO_INPUT, remark="The cage is not loaded."),
     Assumption(
         "Steady state",
-        "one position of the rollers, the first where the angle is zero",
+        "one position of the rollers, the first at angle zero",
         NO_INPUT,
-        remark="Centrifugal loads follow from the speed; vibrations do not.",
+        remark="Centrifugal loads are included, vibrations are not.",
     ),
 )
 #: The verdict on each kind of end, and its consequence.
@@ -98,17 +98,17 @@ ENDS = {
     EdgeKind.FINITE: (Verdict.HOLDS, "Both bodies end there with free faces: the pressure is finite."),
     EdgeKind.SINGULAR: (
         Verdict.NOT_MET,
-        "The pressure has no limit there; trust it from a quarter of a half-width inwards.",
+        "Edge loading: the pressure is unbounded there; it is reliable from a quarter of a half-width inwards.",
     ),
-    EdgeKind.CORNER: (Verdict.NOT_MET, "The pressure has no limit at a corner of the profile: give it a radius."),
+    EdgeKind.CORNER: (Verdict.NOT_MET, "The pressure is unbounded at a corner of the profile: give it a radius."),
     EdgeKind.CUT_OFF: (Verdict.NOT_MET, "The strips end before the contact does: give more strips."),
 }
 _LEAVES_STRESS = (
     Verdict.STRAINED,
-    "Freed of shear, not of normal stress: the true pressure at the end is lower.",
+    "The side face is free of shear, but not of normal stress: the true pressure at the end is lower.",
 )
 _HOLDS = attrgetter("holds")
-Contacts = Mapping[str, Sequence[Solution]]  # by the name of their ring, empty for a single contact; the first counts
+Contacts = Mapping[str, Sequence[Solution]]  # by ring, or "" for a single contact; the first one counts
 
 
 def judge_assumptions(result: Results) -> list[Assumption]:
@@ -124,7 +124,7 @@ def _judge_contact(result: CaseResults) -> Iterator[Assumption]:
         "every contact condition is met",
         f"{solution.status.label}, {solution.iterations} Newton steps",
         Verdict.HOLDS if fine else Verdict.NOT_MET,
-        "" if fine else "The numbers are those at which the solver stopped. They are meaningless.",
+        "" if fine else "The numbers are those at which the solver stopped; they are not results.",
     )
     if not (fine and solution.contact_y):
         return
@@ -154,15 +154,15 @@ def _judge_strength(strength: Strength) -> Assumption:
 def _judge_bearing(result: BearingResults) -> Iterator[Assumption]:
     solution = result.solution
     if solution is None:
-        words = "Solved", "rollers and rings are in balance", "no balance"
+        words = "Solved", "rollers and rings are in equilibrium", "no equilibrium"
         yield Assumption(*words, Verdict.NOT_MET, "There are no results.")
         return
-    number = f"{solution.residual:.1g} of the loads left, {solution.iterations} Newton steps"
-    criterion = f"at most {TOLERANCE:.1g} of the loads is left unbalanced"
-    yield Assumption("Rollers and rings in balance", criterion, number, verdict_for(solution.residual > TOLERANCE))
+    number = f"residual {solution.residual:.1g} of the loads, {solution.iterations} Newton steps"
+    criterion = f"residual of at most {TOLERANCE:.1g} of the loads"
+    yield Assumption("Rollers and rings in equilibrium", criterion, number, verdict_for(solution.residual > TOLERANCE))
     tilt = float(np.max(np.abs(solution.displacement[3:])))
     yield Assumption(
-        "Contact angles stay as they are",
+        "Contact angles do not change",
         f"the inner ring tilts by less than {mrad(MOST_TILT):g}, which turns a load by 1 %",
         f"{mrad(tilt):4}",
         verdict_for(tilt > MOST_TILT),
@@ -171,7 +171,7 @@ def _judge_bearing(result: BearingResults) -> Iterator[Assumption]:
     if solution.method != "strips":
         yield from _judge_slices(solution)
     elif solution.distinct_contacts:
-        # At each ring the most loaded first; equal ones once.
+        # By ring, the most loaded contact first; equal contacts once.
         contacts: dict[str, list[Solution]] = {}
         for contact in sorted(solution.distinct_contacts, key=lambda contact: (contact.ring, -contact.solved.load)):
             contacts.setdefault(RINGS[contact.ring], []).append(contact.solved)
@@ -183,14 +183,14 @@ def _judge_bearing(result: BearingResults) -> Iterator[Assumption]:
 
 
 def _judge_strips(contacts: Contacts) -> Iterator[Assumption]:
-    """Yield what the strips of a contact, or of all contacts of a bearing, rest on."""
+    """Yield the assumptions of strips, for one contact or for all contacts of a bearing."""
     solutions = [*chain.from_iterable(contacts.values())]
     yield from _judge_validity(contacts)
     yield _judge_ends(solutions)
     yield _judge_smoothness(solutions)
     yield from _judge_grids(solutions)
     element = solutions[0].element
-    remark = "'nonhertz compare' solves a single contact on a plane grid that assumes no shape."
+    remark = "'nonhertz compare' solves a single contact on a plane grid, which assumes no shape."
     if element != SEMI_ELLIPTIC:
         remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
     yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
@@ -216,21 +216,21 @@ def _judge_smoothness(solutions: Sequence[Solution]) -> Assumption:
     bends = max(counts, default=0)
     return Assumption(
         "Smooth along y",
-        "no corner of the profile carries the largest pressure",
+        "the maximum pressure is not at a corner of the profile",
         f"{bends or 'no'} bend{'s' * (bends != 1)} of the relief in contact",
         Verdict.NOT_MET if corner else Verdict.HOLDS,
-        f"The largest pressure has no limit: {ROUND_IT}." if corner else "",
+        f"The maximum pressure is unbounded: {ROUND_IT}." if corner else "",
     )
 
 
 def _judge_grids(solutions: Sequence[Solution]) -> Iterator[Assumption]:
     most = max(solution.load for solution in solutions)
     estimates = [solution.error_estimate for solution in solutions if solution.load > COUNTS * most]
-    # The prescribed one of the two has no error.
+    # Either approach or load is prescribed and has no error.
     error, name = max((getattr(estimate, name), name) for estimate in estimates for name in ("approach", "load"))
     yield _judge_grid(f"the {name}", error)
     corner = any(solution.peaks_at_corner for solution in solutions)
-    yield _judge_grid("the largest pressure", max(estimate.max_pressure for estimate in estimates), at_corner=corner)
+    yield _judge_grid("the maximum pressure", max(estimate.max_pressure for estimate in estimates), at_corner=corner)
 
 
 def _checks(solution: Solution) -> tuple[ValidityCheck, ...]:
@@ -238,7 +238,7 @@ def _checks(solution: Solution) -> tuple[ValidityCheck, ...]:
 
 
 def _judge_validity(contacts: Contacts) -> Iterator[Assumption]:
-    """Yield each condition of the contacts once: at each ring the most loaded contact that violates it, or of all."""
+    """Yield each condition of the contacts once: by ring, for the most loaded contact that violates it, or of all."""
     by_name: dict[str, dict[str, ValidityCheck]] = {}
     for ring, solutions in contacts.items():
         for check in chain.from_iterable(map(_checks, solutions)):
@@ -265,7 +265,7 @@ def _describe_edge(edge: EdgePressure) -> str:
 
 
 def _judge_ends(solutions: Sequence[Solution]) -> Assumption:
-    """Return the worst of all ends; those of a single contact are named, of several counted."""
+    """Return the verdict on the worst end; the ends of one contact are listed, those of several are counted."""
     edges = [(solution.contact, edge) for solution in solutions for edge in solution.edge_pressure]
     verdicts = [_judge_end(*pair) for pair in edges]
     worst = max((verdict for verdict, _ in verdicts), key=[*Verdict].index, default=Verdict.HOLDS)
@@ -284,12 +284,12 @@ def _judge_ends(solutions: Sequence[Solution]) -> Assumption:
 
 
 def _judge_grid(what: str, error: float, *, at_corner: bool = False) -> Assumption:
-    """Return the assumption that a grid is fine enough for a number of this estimated error, or at a corner's peak."""
+    """Return the assumption that a grid is fine enough for a number with this estimated error."""
     name = f"Grid fine enough for {what}"
     criterion = f"the solver's own error estimate is at most {100.0 * NOTABLE:g} %"
     if at_corner:
-        remark = "At a corner of the profile it rises with every refinement."
-        return Assumption(name, criterion, "no limit", Verdict.NOT_MET, remark)
+        remark = "At a corner of the profile the pressure rises with every refinement."
+        return Assumption(name, criterion, "unbounded", Verdict.NOT_MET, remark)
     if not math.isfinite(error):
         return Assumption(name, criterion, "unknown")
     number = format_error(error) if error > NO_ERROR else "none"
@@ -297,11 +297,11 @@ def _judge_grid(what: str, error: float, *, at_corner: bool = False) -> Assumpti
 
 
 def verdict_for(strained: bool) -> Verdict:
-    """Return the verdict on a number that is within its limit or not."""
+    """Return the verdict on a condition that is strained or holds."""
     return Verdict.STRAINED if strained else Verdict.HOLDS
 
 
-# Of bearings alone
+# Bearings only
 
 
 def _angle_remark(row: RollerBearing) -> str:
@@ -319,21 +319,21 @@ def _judge_whole_rollers(solution: BearingSolution) -> Iterator[Assumption]:
     tilt = drop_tilt_rounding(solution.tilt[j])
     loads, tilts = newton(*solution.load[j], between=" and "), mrad(*tilt, between=" and ")
     number = f"{loads:4}, tilted by {tilts:4}, at inner and outer ring"
-    remark = "The whole roller is elastic. Where its contacts differ, the odd part of its deformation is neglected."
-    yield Assumption("Rollers are pressed alike from both sides", "same load and tilt", number, remark=remark)
+    remark = "The whole roller is elastic. Where its two contacts differ, the odd part of its deformation is neglected."
+    yield Assumption("Rollers are loaded equally on both sides", "same load and tilt", number, remark=remark)
 
 
 def _judge_slices(solution: BearingSolution) -> Iterator[Assumption]:
-    remark = "Solve by strips for pressures, and for rings and rollers of other stiffness than the standard's."
-    criterion = "slices of ISO/TS 16281 do not feel each other"
+    remark = "Solve by strips for pressures, or if rings and rollers are not as stiff as the standard assumes."
+    criterion = "slices of ISO/TS 16281 do not affect each other"
     yield Assumption("Independent slices", criterion, "by slices", remark=remark)
     if isinstance(solution.bearing.rows[0].bearing, TaperedRollerBearing):
-        remark = "Slices ignore the ribs of tapered rows: only the loads on the raceways remain."
-        yield Assumption("Ribs", "bear part of the load", "none", remark=remark)
+        remark = "Slices neglect the ribs of tapered rows: only the raceways are loaded."
+        yield Assumption("Ribs", "support part of the load", "none", remark=remark)
 
 
 def _judge_ribs(solution: BearingSolution) -> Iterator[Assumption]:
-    """Yield whether the contacts of the ribs of each ring stay on flank and roller."""
+    """Yield for each ring whether the contacts with its ribs stay within flank and roller end."""
     known, remark = _judge_flanks(getattr(solution.bearing.rows[0].bearing, "rib", None))
     loads = [
         (load, rib)
@@ -347,7 +347,7 @@ def _judge_ribs(solution: BearingSolution) -> Iterator[Assumption]:
         if rib is None:
             continue
         beyond = rib.reaches_an_edge(load)
-        more = "Where it reaches an edge the pressure is higher than Hertz's." if beyond else ""
+        more = "Where the ellipse reaches an edge, the pressure is higher than by Hertz." if beyond else ""
         yield Assumption(
             f"Ellipse on the ribs of the {ring} ring",
             f"reaches no edge, {mm(rib.room):3} away along the flank",
@@ -358,13 +358,13 @@ def _judge_ribs(solution: BearingSolution) -> Iterator[Assumption]:
 
 
 def _judge_flanks(rib: Rib | None) -> tuple[Verdict, str]:
-    """Return the verdict on ellipses within known edges, and what is not known of the flanks."""
+    """Return the verdict on ellipses within known edges, and a remark on what is unknown of the flanks."""
     if rib is None:
-        return Verdict.OPEN, "Where the ribs touch is a guess: give bearing.rib."
+        return Verdict.OPEN, "The position of the contact on the ribs is a guess: give bearing.rib."
     if rib.edge is None:
         return (
             Verdict.HOLDS,
-            "Where the flank ends is not known: give bearing.rib.edge. Compared with the roller's end alone.",
+            "The edge of the flank is not known: give bearing.rib.edge. Only the roller's end is checked.",
         )
     return Verdict.HOLDS, ""
 
@@ -373,10 +373,10 @@ def _judge_shapes(solution: BearingSolution) -> Iterator[Assumption]:
     row = solution.bearing.rows[0].bearing
     shaped = [ring for ring in RINGS if getattr(row, f"{ring}_shape") is not None]
     number = f"{' and '.join(shaped)} ring{'s' if len(shaped) > 1 else ''} with a shape" if shaped else "round rings"
-    remark = "Rings do not bend under the rollers: give soft housings and ovality as shapes."
+    remark = "Rings do not bend under the rollers: describe ovality or a soft housing by the shape of a ring."
     if "inner" in shaped:
-        remark += " The shape of the inner ring is that of one moment: it turns."
+        remark += " The shape of the inner ring, which turns, is that at one instant."
     yield Assumption("Rings keep their shape", "stiff in shaft and housing", number, remark=remark)
     if isinstance(row, CylindricalRollerBearing) and not row.rib_contacts:
-        number = f"design {row.design}"
-        yield Assumption("Ribs bear nothing", "rings free along the axis", number, remark="They guide rollers.")
+        words = "Ribs support no axial load", "rings free along the axis", f"design {row.design}"
+        yield Assumption(*words, remark="They only guide rollers.")

@@ -17,7 +17,7 @@ from nonhertz.show.beside import ABSENT, Cells, Compared, compared
 from nonhertz.show.sections import Cell
 from nonhertz.show.summary import end_words
 
-# What is not the shape of a body: sections of files, and keys of bodies.
+# Inputs that do not describe the shape of a body: sections of files, and keys of bodies.
 _CONDITIONS = {"load", "solver", "lubrication", "life", "fit"}
 _ENTRIES = attrgetter("entries")
 _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_length", "clearance"}
@@ -26,8 +26,8 @@ _BESIDE_SHAPES = {*_CONDITIONS, "material", "depth", "side_faces", "effective_le
 def compare_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Cells], list[Cells], list[str]]:
     """Return the inputs in which cases differ, those given in a file that are the same in all, and a note.
 
-    Each case is given by its inputs; the note says what differs beside dimensions and profiles, as not all numbers
-    compare then.
+    ``cases`` are the inputs of each case. The note lists differences other than dimensions and profiles, with which not
+    all results are comparable.
     """
     tables = [{entry.place: entry for entry in chain.from_iterable(map(_ENTRIES, groups))} for groups in cases]
     differing: list[Cells] = []
@@ -43,11 +43,11 @@ def compare_inputs(cases: Sequence[Sequence[InputGroup]]) -> tuple[list[Cells], 
         elif not all(table[place].default for table in tables):
             same.append((first.full_name, values[0], first.meaning))
     what = "; ".join(dict.fromkeys(conditions))
-    return differing, same, [f"More than shapes differs, so that not all numbers compare: {what}."] if what else []
+    return differing, same, [f"Not all results are comparable, since more than shapes differs: {what}."] if what else []
 
 
 def _condition(entry: Entry) -> list[str]:
-    """Return what an input is called if it is not of the shape of a body; else nothing."""
+    """Return the name of an input that does not describe the shape of a body; otherwise nothing."""
     section, key = entry.place.partition(".")[0], entry.place.rpartition(".")[2]
     if section in _CONDITIONS:
         return [section]
@@ -55,7 +55,7 @@ def _condition(entry: Entry) -> list[str]:
 
 
 def result_rows(results: Sequence[Results]) -> list[Compared | Cells]:
-    """Return the results of all cases or bearings, with differences from the first; what none has is left out."""
+    """Return the results of all cases or bearings, with differences from the first, without empty rows."""
     contacts = [result for result in results if isinstance(result, CaseResults)]
     return [*(_contact_rows(contacts) if contacts else _bearing_rows(results))]
 
@@ -84,7 +84,7 @@ def _bearing_rows(results: Sequence[Results]) -> list[Compared]:
 
 
 def _bearing_numbers(result: BearingResults) -> dict[str, float]:
-    """Return the numbers of a bearing by name, those of its life only where it was assessed."""
+    """Return the numbers of a bearing by name, including those of its life only if it was assessed."""
     if result.solution is None:
         return {}
     lived = result.life is not None
@@ -93,7 +93,7 @@ def _bearing_numbers(result: BearingResults) -> dict[str, float]:
 
 
 def summarize(compared_results: Sequence[Compared | Cells], labels: Sequence[str]) -> str:
-    """Return in a sentence how the largest pressures compare, of bearings the lives, too."""
+    """Return sentences that compare the maximum pressures, and for bearings also the lives."""
     rows = {row.name: row for row in compared_results if isinstance(row, Compared)}
     life = next((name for name in ("modified life", "reference life") if name in rows), "")
     sentences = []
@@ -109,7 +109,7 @@ def summarize(compared_results: Sequence[Compared | Cells], labels: Sequence[str
 
 
 def verdict_rows(results: Sequence[Results]) -> list[Cells]:
-    """Return label, verdict and what it rests on of each that has one, or why it was not solved."""
+    """Return label, verdict and its reason for each result that has a verdict, or why it was not solved."""
     rows: list[Cells] = []
     for result in results:
         if result.complaint:
@@ -119,7 +119,7 @@ def verdict_rows(results: Sequence[Results]) -> list[Cells]:
     return rows
 
 
-# The largest pressure comes first; its position and the coupling stiffnesses are left out.
+# The maximum pressure comes first; its position and the coupling stiffnesses are left out.
 _LEFT_OUT = {"max_pressure_y", "load_by_tilt", "moment_by_approach"}
 _COMPARED = sorted(set(QUANTITIES) - _LEFT_OUT, key=["max_pressure", *QUANTITIES].index)
 _STRESSES = {"von Mises stress": "von_mises", "shear stress": "shear", "orthogonal shear stress": "orthogonal_shear"}

@@ -16,19 +16,19 @@ from nonhertz.report.results import BearingResults, Results
 
 _KINDS = {".toml": "application/toml", ".json": "application/json", ".csv": "text/csv"}
 
-#: What files hold, by their names; others are left out.
+#: The contents of files, by their names; other files are not embedded.
 _WORDS = {
     "result.json": "all numbers of the result",
     "table.csv": "the strips",
     "rollers.csv": "all rollers",
     "stress.json": "the largest stresses",
     "life.json": "the lives",
-    **dict.fromkeys(("comparison.json", "comparison.csv"), "strips beside slices"),
+    **dict.fromkeys(("comparison.json", "comparison.csv"), "strips compared with slices"),
 }
 
 
 class Download(NamedTuple):
-    """A file embedded in the page: the name it is saved under, what it holds in words, and the file itself."""
+    """A file embedded in the page: the name it is saved under, its contents in words, and the file itself."""
 
     name: str
     what: str
@@ -42,12 +42,12 @@ class Download(NamedTuple):
 
 
 def collect_downloads(result: Results) -> list[Download]:
-    """Return the file of a case or a bearing, the files that it names, and all results."""
+    """Return the case file or bearing file, the files that it names, and all results."""
     case = result.case
     what = f"{case.kind} file"
-    files = [(case.file_name, f"the {what}, as it was solved", case.text.encode())]
+    files = [(case.file_name, f"the {what} as solved", case.text.encode())]
     for name, content in case.attachments.items():
-        files.append((name, f"named by the {what}; put it where {name} is from there", content))
+        files.append((name, f"named in the {what}; save it at {name}, relative to it", content))
     stem = PurePosixPath(case.file_name).stem
     files += [(f"{stem}-{name}", _WORDS[name], text.encode()) for name, text in _result_texts(result) if name in _WORDS]
     return [Download(PurePosixPath(name.replace("\\", "/")).name, words, content) for name, words, content in files]

@@ -23,7 +23,7 @@ _LOWER, _MOST_TICKS = 0.64, 5  # of the height of panels, and ticks of half the 
 
 
 def draw_figures(result: Results) -> dict[str, list[Picture]]:
-    """Return the figures of a result by the title of their section, empty for the one before all."""
+    """Return the figures of a result by the title of their section, "" for figures before the first section."""
     if isinstance(result, CaseResults):
         values = contact.figures_of(result.solution)
         planes = stress_planes_drawn(result.solution, *result.stress) if result.stress else {}
@@ -42,7 +42,7 @@ def draw_figures(result: Results) -> dict[str, list[Picture]]:
 
 
 def _select_lower(values: Mapping[str, Figure], *names: str) -> dict[str, Figure]:
-    """Return the figures of these names, as far as there are any, with lower panels: lettering stays as large."""
+    """Return the figures of these names that exist, with lower panels; lettering keeps its size."""
     return {
         name: replace(figure, panels=[replace(panel, height=round(_LOWER * panel.height)) for panel in figure.panels])
         for name, figure in values.items()
@@ -62,18 +62,18 @@ def _film_sheet(values: Mapping[str, Figure]) -> dict[str, Figure]:
 
 
 def _halve(along: Axis) -> Axis:
-    """Return an axis for half the width, with every second tick of many."""
+    """Return an axis for half the width, with every second tick if there are many."""
     return replace(along, ticks=along.ticks[::2]) if len(along.ticks) > _MOST_TICKS else along
 
 
 def draw_pictures(values: Mapping[str, Figure]) -> list[Picture]:
-    """Draw figures, each with what it says of itself."""
+    """Draw figures, each with its caption and description."""
     with sheet_style():
         return [Picture(sheet_of(figure), figure.caption, figure.description) for figure in values.values()]
 
 
 def _draw_lives(result: CaseResults) -> Iterator[Picture]:
-    """Yield the damage along the bodies, and the surroundings of a dent that is rolled over if there is one."""
+    """Yield the damage along the bodies, and that around a dent if one is rolled over."""
     assessed = result.lives
     if assessed is None:
         return
@@ -83,7 +83,7 @@ def _draw_lives(result: CaseResults) -> Iterator[Picture]:
 
 
 def draw_comparison(results: Sequence[Results]) -> list[Picture]:
-    """Return what is along all contacts, or around the axes of all bearings that have a solution, in one figure."""
+    """Return one figure of all contacts along y, or of all solved bearings around their axes."""
     bearings = {one.label: one.solution for one in results if isinstance(one, BearingResults) and one.solution}
     contacts = {one.label: one.solution for one in results if isinstance(one, CaseResults)}
     if bearings:

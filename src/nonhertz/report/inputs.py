@@ -1,7 +1,7 @@
 """Every input of a case with value, unit and meaning, and whether it is a default.
 
-Meanings and units come from what the fields of inputs say, values from what `Document.write` writes: all of them, in
-base units, those that a profile takes from its body too. A case and a bearing are lists of the same tables.
+Meanings and units come from the fields of inputs, values from `Document.write`: all of them in base units, including
+those that a profile takes from its body. A case and a bearing are lists of the same tables.
 """
 
 from __future__ import annotations
@@ -9,10 +9,11 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from nonhertz.amounts import amount, format_input, mpa
+from nonhertz.errors import joined
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -36,18 +37,19 @@ _TITLES = {
     **{"bearing": "Bearing", "roller": "Rollers", "inner": "Inner ring", "outer": "Outer ring", "load": "Load"},
     **{"fit": "Fits and temperatures", "solver": "Solver", "lubrication": "Oil", "life": "Life"},
 }
-#: Tables of which only what a file gives is shown, and what is implied.
+_MATERIALS = {f"{place}.material" for place in (*(f"body.{name}" for name in BODIES), *PARTS)}
+#: Tables without defaults: only keys in the file, and implied ones, are shown.
 _AS_GIVEN = ("load", "fit", "lubrication", "life")
 _WITHIN = ("shaft", "housing", "pair")  # tables whose keys are entries of their own
-# What the body has where a key is left out that has no value then; nothing, if not here.
+# Words for keys that have no value if they are left out; "none" for others.
 _ABSENT = {"diameter": "flat", "length": "unbounded", "effective_length": "the whole length"}
-# What is known of a material beside its elastic constants: words before the value.
+# Properties of a material besides its elastic constants: words before the value.
 _BORNE = {
     "yield_strength": "yield strength", "core_yield_strength": "core", "hardness": "hardness",
-    "pressure_limit": "limit of pressure",
+    "pressure_limit": "pressure limit",
 }  # fmt: skip
 _AT_THE_END = "the end of the land"
-#: What steps of a measured profile are if its table does not say.
+#: Defaults of the steps of a measured profile.
 _STEPS = {name: step.default for name, step in inspect.signature(prepare).parameters.items()}
 
 
@@ -58,7 +60,7 @@ class Entry:
     Attributes
     ----------
     place : str
-        The key as the case file has it, such as ``"body.a.length"``.
+        The key in the case file, such as ``"body.a.length"``.
     value, unit : str
         Number or word, and the unit of the number.
     meaning : str
@@ -78,7 +80,7 @@ class Entry:
 
     @property
     def name(self) -> str:
-        """The last part of the place in words, of fits with what is fitted."""
+        """The last part of the place in words; for fits with the part that is fitted."""
         key = self.place.removeprefix("fit.") if self.place.startswith("fit.") else self.place.rpartition(".")[2]
         return readable_place(key)
 
@@ -95,14 +97,14 @@ class Entry:
 
 @dataclass(frozen=True)
 class InputGroup:
-    """The inputs under one heading in the case file: in rows, between which are headings and remarks on profiles."""
+    """The inputs under one heading of the case file, in rows, with headings and remarks on profiles between them."""
 
     title: str
     rows: tuple[Entry | tuple[str | Cell], ...]
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """All inputs, of profiles too."""
+        """All inputs, including those of profiles."""
         return tuple(row for row in self.rows if isinstance(row, Entry))
 
 
@@ -127,19 +129,35 @@ def collect_inputs(case: Case | BearingCase) -> list[InputGroup]:
     return [group for group in groups if group.entries]
 
 
+def share_material(groups: Sequence[InputGroup]) -> list[InputGroup]:
+    """Return the inputs with the material of all bodies as a group of its own, if it is the same."""
+    made = [(group, row) for group in groups for row in group.entries if row.place in _MATERIALS]
+    if len(made) < 2 or len({row.value for _, row in made}) > 1:
+        return list(groups)
+    shared = next((row for _, row in made if not row.default), made[0][1])
+    first, *more = (group.title for group, _ in made)
+    own = InputGroup(joined([first, *(title[0].lower() + title[1:] for title in more)]), (shared,))
+    others = [
+        replace(group, rows=tuple(row for row in group.rows if getattr(row, "place", "") not in _MATERIALS))
+        for group in groups
+    ]
+    at = next(number for number, group in enumerate(groups) if group is made[0][0])
+    return [*others[:at], own, *others[at:]]
+
+
 def _implied_by_body(body: Body) -> dict[str, Any]:
     depth = {"depth": body.behind.shown} if body.depth is None else {}
     return {"material": body.material, **depth}
 
 
 def _implied_by_contact(case: Case, made: Mapping[str, Any]) -> tuple[dict[str, Body], dict[str, dict[str, Any]]]:
-    """Return the bodies by their places, and by place what is shown where the file says nothing."""
+    """Return the bodies by their places, and by place the values shown for keys that the file leaves out."""
     bodies: dict[str, Body] = {f"body.{name}": body for name, body in case.contact.bodies.items()}
     return bodies, {"load": {} if {"tilt", "moment"} & set(made["load"]) else {"tilt": 0.0}}
 
 
 def _implied_by_bearing(case: BearingCase) -> tuple[dict[str, Body], dict[str, dict[str, Any]]]:
-    """Return what `_implied_by_contact` does."""
+    """Return the same as `_implied_by_contact`, for a bearing."""
     row = case.bearing.rows[0].bearing
     guessed = getattr(row, "rib", "") is None and bool(row.rib_contacts)
     bearing = {"pitch_diameter": row.pitch} | ({"rib": "a guess"} if guessed else {})
@@ -147,7 +165,7 @@ def _implied_by_bearing(case: BearingCase) -> tuple[dict[str, Body], dict[str, d
 
 
 def readable_place(place: str) -> str:
-    """Return the path of a key as people say it, without the marks of a file.
+    """Return the path of a key in words, without the punctuation of a file.
 
     Examples
     --------
@@ -167,13 +185,13 @@ def _flatten(document: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
 def _table_entries(
     place: str, table: Table, own: Mapping[str, Any], made: Mapping[str, Any], implied: Mapping[str, Any]
 ) -> Iterator[Entry]:
-    """Yield what a table holds, given and made; ``implied`` comes first. Each item of a list of tables is an entry."""
+    """Yield the entries of a table, ``implied`` values first. Each item of a list of tables is an entry."""
     for name, key in table.of_kind(made.get("kind")).keys.items():
         value = implied.get(name, made.get(name, own.get(name, key.usual)))
         if _is_left_out(place, name, value, {*own, *implied}):
             continue
         if name in _WITHIN:
-            # One word may stand for the table, as a class for a seat.
+            # One word may replace the table, such as a class for a seat.
             nested = own[name] if isinstance(own[name], Mapping) else made[name]
             yield from _table_entries(f"{place}.{name}", key.tables[0], nested, made[name], {})
         elif isinstance(value, list) and key.several:
@@ -184,7 +202,7 @@ def _table_entries(
 
 
 def _is_left_out(place: str, name: str, value: Any, present: set[str]) -> bool:
-    """Return whether a key is no entry: it has entries of its own elsewhere, or nothing says anything of it."""
+    """Return whether a key has no entry: it has entries of its own elsewhere, or no value at all."""
     as_given = name in _WITHIN or place.startswith(_AS_GIVEN)
     return name == "profile" or (as_given and name not in present) or (value is None and place == "solver")
 
@@ -193,10 +211,10 @@ def _make_entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: 
     name = place.rpartition(".")[2]
     if value is None:
         value = _ABSENT.get(name, "none")
-    # As the file has it, if that is text with a unit, recognised by its digits.
+    # As written in the file, if that is text with a unit, recognised by its digits.
     written = str(own.get(name)) if isinstance(own.get(name), str) and re.search(r"\d", own[name]) else ""
     text, unit = _with_unit(value, key, small=name in MICROMETRES or "um" in written)
-    # What a file says, unless that is what is shown.
+    # The text of the file, unless it equals the text shown.
     unlike = "" if f"{text} {unit}".startswith(written.replace("um", "µm")) else written
     return Entry(place, text, unit, _meaning_of(key) + more, name not in own and not more, unlike)
 
@@ -204,7 +222,7 @@ def _make_entry(place: str, value: Any, key: Key, own: Mapping[str, Any], more: 
 def _profile_entries(
     place: str, own: Mapping[str, Any], made: list[dict[str, Any]]
 ) -> Iterator[Entry | tuple[str | Cell]]:
-    """Yield the profiles of a body, as given and as made; a straight one is left out of what is made."""
+    """Yield the profiles of a body; ``own`` is as given, ``made`` has all parameters, but no straight profiles."""
     curved, tables = iter(made), profile_tables(own)
     if not tables:
         yield from _describe_profile(f"{place}.profile", {"kind": "straight"}, {}, default=True)
@@ -216,7 +234,7 @@ def _profile_entries(
 def _describe_profile(
     place: str, own: Mapping[str, Any], made: Mapping[str, Any], *, default: bool = False
 ) -> Iterator[Entry | tuple[str | Cell]]:
-    """Yield what a profile is, its parameters, and its formula with its source."""
+    """Yield the kind of a profile, its parameters, and its formula with its source."""
     kind = own["kind"]
     table = next((table for table in profile_kinds() if table.word == kind), Table(kind, kind, {}))
     what, function = table.meaning.rstrip("."), prepare if kind == MEASURED else CATALOGUE.get(kind)
@@ -239,20 +257,20 @@ def _describe_profile(
 
 
 def _in_base_unit(name: str, value: Any, key: Key) -> Any:
-    """Return the number of a text with a unit; anything else as it is."""
+    """Return a text with a unit as a number in the base unit; anything else unchanged."""
     unit = unit_of(key.description)
     return to_unit(name, value, unit) if unit and isinstance(value, str) and begins_with_digits(value) else value
 
 
 def _meaning_of(key: Key) -> str:
-    """Return what a key is, without what it could be instead."""
+    """Return the meaning of a key, without alternatives to it."""
     return key.description.meaning.partition(";")[0]
 
 
 def _with_unit(value: Any, key: Key | None = None, *, small: bool = False) -> tuple[str, str]:
-    """Return a value as text and its unit; text of a file has its own unit, and tables say theirs within them.
+    """Return a value as text, and its unit; text from a file and tables contain their own units.
 
-    People read ``small`` lengths in micrometres.
+    ``small`` lengths are shown in micrometres.
     """
     of_list = isinstance(value, list | tuple) and key is not None and not key.tables
     has_unit = of_list or (isinstance(value, float | int) and not isinstance(value, bool))
@@ -269,7 +287,7 @@ def _scale(value: Any, factor: float) -> Any:
 
 
 def format_value(value: Any, key: Key | None = None) -> str:
-    """Return a value as readable text; that of a key whose tables say the units within them."""
+    """Return a value as readable text; tables of a ``key`` contain their units."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):

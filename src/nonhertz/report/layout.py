@@ -1,4 +1,4 @@
-"""The page around all reports: templates, style sheet, links, and what identifies a report."""
+"""The page around all reports: templates, style sheet, links, and the mark that identifies a report."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 #: Identifies a report; it is near the beginning of the file.
 MARK = '<meta name="generator" content="nonhertz report">'
 
-_DOTS = 110  # per inch, of what is drawn as dots within a figure
+_DOTS = 110  # dots per inch of raster parts of a figure
 _LONG_NUMBER = re.compile(r"(?<=\d)(\.\d\d)\d+(?=[ \n\"])")
-_UNCHANGED = " !$()*+,-./:;=?@[]_~"  # in an address, of what HTML does not escape
+_UNCHANGED = " !$()*+,-./:;=?@[]_~"  # characters that need no escaping in an address and in HTML
 _PACKAGES = ("numpy", "scipy", "matplotlib")
 _ADDRESS = re.compile(r"doi:(10\.\S+?)(?=[.,;:]?(?:\s|$))|(https?://\S+?)(?=[.,;:]?(?:\s|$))")
 
@@ -58,20 +58,20 @@ class Files(Block):
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """What a page shows of one result, or beside each other of several.
+    """The part of a page on one result, or on several side by side.
 
     Attributes
     ----------
     result : CaseResults or BearingResults or None
         The result; None for several.
     sections : sequence of Section
-        What is shown.
+        Always shown.
     folded : sequence of Section
-        What is shown once it is unfolded.
+        Shown once unfolded.
     numbers : sequence of rows
-        Name, value and remark of the numbers that are looked for first.
+        Name, value and remark of the key figures.
     anchor : str
-        Its identifier, if it is one of several.
+        Identifier of the result, if it is one of several.
     opening : str
         What was solved, if it is one of several.
     """
@@ -85,7 +85,7 @@ class Part:
 
 
 class Words(NamedTuple):
-    """What a page says of all cases in it: what one is called, which command solves it, and axes and signs."""
+    """The words of a page for one kind of case: its name, the command that solves it, heading, and axes and signs."""
 
     one: str
     command: str
@@ -94,7 +94,7 @@ class Words(NamedTuple):
 
 
 def render_page(title: str, words: Words, block: TitleBlock, opening: str, parts: Sequence[Part]) -> str:
-    """Return the text of a page, which begins with a sentence on what was solved."""
+    """Return the text of a page; ``opening`` is a sentence on what was solved."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
     options: dict[str, Any] = {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True}
@@ -118,16 +118,17 @@ def render_page(title: str, words: Words, block: TitleBlock, opening: str, parts
 
 
 def _svg_address(picture: Picture) -> str:
-    """Return a figure as an address that holds it: a document of its own, whose identifiers meet no others.
+    """Return a figure as a data URL: a document of its own, whose identifiers clash with no others.
 
-    Half as long as the file of the figure: lengths to a hundredth of a point, colours by as many dots as screens have.
+    It is half as long as the file of the figure: lengths are rounded to a hundredth of a point, and raster parts have
+    the resolution of screens.
     """
     text = _LONG_NUMBER.sub(r"\1", image(picture.figure, "svg", _DOTS).decode())
     return f"data:image/svg+xml,{quote(' '.join(text.split()), safe=_UNCHANGED)}"
 
 
 def css_string(text: str) -> Markup:
-    r"""Return a text as a string of CSS within a page.
+    r"""Return a text as a CSS string within a page.
 
     Examples
     --------

@@ -1,6 +1,7 @@
 """How a case was solved, in sentences, and the publications behind it.
 
-Only what applies to the case is mentioned. Formulas and references come from the docstrings of the functions used.
+Only methods that apply to the case are described. Formulas and references come from the docstrings of the functions
+used.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ _ELLIPSE_FILMS = (
 )
 _SCHAEFFLER = "INA/FAG, Rolling Bearings, catalogue HR 1 (2006)."
 _SKF = "SKF, Rolling bearings (2018)."
-#: By the kinds of limits.
+#: Sources by the kind of limit.
 _OF_LIMITS = {
     "rib-limit": (_SKF, _SCHAEFFLER),
     "least-load": (_SKF,),
@@ -69,24 +70,24 @@ _SEATS = (
 )
 _GROUPS = ("ISO 5753-1:2009, Rolling bearings: radial internal clearance of radial bearings.",)
 _STRIPS = (
-    "Each carries a load and a half-width, its pressure is {element} across, and all strips act on each other through "
-    "both elastic bodies."
+    "Each has a load and a half-width, its pressure is {element} across, and all strips interact through both elastic "
+    "bodies."
 )
 _IN_CONTACT = (
     "The contact is cut along y into {strips} strips. {one} One Newton loop finds all loads and half-widths, approach "
-    "and tilt together, so that both surfaces touch on the centre line of every strip that bears load, to second order "
-    "across, and no strip pulls. Bodies are linear elastic half-spaces (Boussinesq), without friction, and the "
+    "and tilt together, such that both surfaces touch on the centre line of every loaded strip, to second order "
+    "across, and no strip is in tension. Bodies are linear elastic half-spaces (Boussinesq), without friction, and the "
     "separation across the contact is parabolic."
 )
 _IN_BEARING = (
-    "The inner ring has five degrees of freedom, the outer one is at rest. Each roller is in balance by itself: "
-    "between both raceways and, where they bear loads, ribs, and under centrifugal force and gyroscopic moment. "
-    "Its motion is eliminated exactly, which leaves the stiffness of the ring, and Newton's method finds the "
-    "motion that goes with the given forces, moments and displacements. Rollers without load are part of it."
+    "The inner ring has five degrees of freedom, the outer ring is fixed. Each roller is in equilibrium under the "
+    "loads of both raceways, of ribs that are loaded, centrifugal force and gyroscopic moment. The displacements of "
+    "the rollers, unloaded ones included, are eliminated exactly, which leaves the stiffness of the inner ring. "
+    "Newton's method finds the displacement of the inner ring from the prescribed forces, moments and displacements."
 )
 _BEYOND = (
-    "Beyond these: bodies keep their shape apart from the contact (no bending of rollers, rings or shafts), and no "
-    "other contact acts on them but the equal one on the opposite side of a whole roller."
+    "Away from the contact, bodies keep their shape (no bending of rollers, rings or shafts), and no other contact "
+    "acts on them, except an equal one on the opposite side of a whole roller."
 )
 
 
@@ -106,10 +107,7 @@ def source(documented: Any) -> str:
 
 
 def describe_method(result: Results) -> tuple[list[str], list[str]]:
-    """Return how it was solved, a paragraph for each part of the method, and the publications behind that.
-
-    References have no repeats.
-    """
+    """Return the description of the method, a paragraph for each part, and the references without repeats."""
     parts = list(_describe_bearing(result) if isinstance(result, BearingResults) else _describe_contact(result))
     references = dict.fromkeys(reference for _, sources in parts for reference in sources if reference)
     return [words for words, _ in parts if words], list(references)
@@ -124,15 +122,15 @@ def _describe_contact(result: CaseResults) -> Iterator[tuple[str, list[str]]]:
     yield _BEYOND, [_SHARP_ENDS] if solution.singular_ends else []
     if result.stress:
         words = (
-            "Stress below the surface is integrated from the pressure of the strips, which follows it between their "
+            "Stress below the surface is integrated from the pressure of the strips, interpolated between their "
             "centres, with the same images behind side faces. The largest values are searched for throughout body "
             f"{result.stress[0].body} below the contact."
         )
         yield words, [source(stress)]
     if result.lives:
         words = (
-            "Life follows from the stresses that every point of both bodies undergoes during a pass of the load. It is "
-            "given relative to the life under Hertz's line pressure with the load spread evenly."
+            "Life follows from the stresses at every point of both bodies during a pass of the load. It is relative to "
+            "the life under Hertz's line pressure with the load spread evenly."
         )
         yield words, [source(stress), *(source(MODELS[life.model.name]) for life in result.lives.lives["a"])]
 
@@ -156,33 +154,33 @@ def _describe_rows(result: BearingResults) -> Iterator[tuple[str, list[str]]]:
         yield from _describe_bodies({"a roller": row.roller, "the inner ring": row.inner, "the outer ring": row.outer})
     else:
         words = (
-            "Contacts are the slices of ISO/TS 16281: independent of each other, of equal stiffness at both rings, "
+            "Contacts are the slices of ISO/TS 16281: independent of each other, equally stiff at both rings, and "
             "without pressures."
         )
         yield words, [*profiles, _REFERENCE_LIFE]
     if row.rib_contacts:
-        words = "Ribs press on the spherical ends of the rollers over ellipses after Hertz." if strips else ""
+        words = "Ribs and the spherical ends of the rollers touch over ellipses (Hertz)." if strips else ""
         yield words, [source(point_contact)]
 
 
 def _describe_classes(case: BearingCase) -> Iterator[tuple[str, list[str]]]:
-    """Yield what classes of fits and groups of clearance stand for."""
+    """Yield the meaning of classes of fits and groups of clearance."""
     fit = case.fit
     seats = fit is not None and any(seat.fit and seat.interference is None for seat in (fit.shaft, fit.housing))
     group = isinstance(getattr(case.bearing.rows[0].bearing, "clearance", None), str)
     if seats or group:
-        used = ["Seats have the limits of ISO 286 and rings those of ISO 492."] if seats else []
-        used += ["The clearance has those of its group in ISO 5753-1."] if group else []
-        yield " ".join([*used, "The likely value is the mean."]), [*_SEATS * seats, *_GROUPS * group]
+        used = ["The limits of seats are those of ISO 286, of rings those of ISO 492."] if seats else []
+        used += ["The limits of the clearance are those of its group in ISO 5753-1."] if group else []
+        yield " ".join([*used, "The mean is used as the likely value."]), [*_SEATS * seats, *_GROUPS * group]
 
 
 def _describe_operation(result: BearingResults) -> Iterator[tuple[str, list[str]]]:
-    """Yield how lives, films, friction and limits are result."""
+    """Yield the methods for lives, films, friction and limits."""
     if result.solution is None:
         return
     strips = result.case.solver.method == "strips"
     if result.life is not None:
-        edges = " The edges of the laminae take the pressures of the strips." if strips else ""
+        edges = " Edge stresses of the laminae are the pressures of the strips." if strips else ""
         words = (
             "Ratings are those of ISO 281 and ISO 76 unless given. L10 follows from the equivalent load, L10r from the "
             f"loads of all laminae of all rollers, and the modified life from lubrication and reliability.{edges}"
@@ -191,30 +189,30 @@ def _describe_operation(result: BearingResults) -> Iterator[tuple[str, list[str]
     films = result.case.films(result.solution)
     if films is not None:
         words = (
-            "Films of oil are those of fully flooded lines at one temperature, at every place along the rollers with "
-            "its own load, radius and speed, or of an ellipse; what flows along the contact is neglected. Rollers roll "
-            "without sliding in the middle of their length."
+            "Oil films are isothermal and fully flooded, of line contacts with the local load, radius and speed along "
+            "the rollers, or of an elliptical contact; side leakage is neglected. Rollers roll without sliding in the "
+            "middle of their length."
         )
         yield words, _film_sources(films)
     if result.case.friction(result.solution) is not None:
         words = (
-            "Friction torque and power are empirical, after Palmgren, with the factors that makers publish by series; "
-            "the thermal speed is the one at which this torque makes the heat that ISO 15312 lets the seats lead away."
+            "Friction torque and power are empirical, after Palmgren, with manufacturers' factors for each series. At "
+            "the thermal speed the heat of this torque equals the heat dissipated through the seats by ISO 15312."
         )
         yield words, [_SCHAEFFLER, "ISO 15312:2018, Rolling bearings - Thermal speed rating - Calculation."]
     if limits := result.case.limits(result.solution):
         sources = [*chain.from_iterable(_OF_LIMITS.get(limit.kind, ()) for _, limit in limits)]
-        yield "Limits of makers are rules of thumb of their catalogues.", sources
+        yield "Manufacturers' limits are rules of thumb from their catalogues.", sources
     if result.slices is not None:
         words = (
-            "For comparison the bearing was solved once more by the independent slices of ISO/TS 16281, two equal "
+            "For comparison the bearing was also solved by the independent slices of ISO/TS 16281, with two equal "
             "contacts in series for each roller."
         )
         yield words, [_REFERENCE_LIFE]
 
 
 def _film_sources(films: Films) -> list[str]:
-    """Return the publications behind films of lines and of ellipses, as far as there are any."""
+    """Return the publications on films of line contacts and elliptical contacts, if there are any."""
     ellipses = films.elliptic[films.solution.load > 0.0]
     return [*(() if np.all(ellipses) else _LINE_FILMS), *(_ELLIPSE_FILMS if np.any(ellipses) else ())]
 
@@ -229,31 +227,37 @@ def _profile_sources(document: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _describe_bodies(bodies: Mapping[str, Body]) -> Iterator[tuple[str, list[str]]]:
-    """Yield how bodies are modelled, those that are alike together."""
-    alike: dict[str, list[str]] = {}
-    for name, body in bodies.items():
-        alike.setdefault(_describe_sides_and_depth("{name}", body), []).append(name)
-    for words, names in alike.items():
-        yield words.format(name=joined(names)), [bodies[name].behind.source for name in names]
+    """Yield how side faces and depths are modelled, once for bodies that are alike."""
+    for describe in (_describe_sides, _describe_depth):
+        alike: dict[str, list[str]] = {}
+        for name, body in bodies.items():
+            alike.setdefault(describe("{name}", body), []).append(name)
+        for words, names in alike.items():
+            yield words.format(name=joined(names)), [bodies[name].behind.source for name in names]
 
 
-def _describe_sides_and_depth(name: str, body: Body) -> str:
-    """Return how side faces and depth of a body are modelled; ``name`` is what the sentences call it."""
+def _describe_depth(name: str, body: Body) -> str:
+    """Return the sentence on the reference point of displacement; ``name`` is that of the body."""
+    return f"Displacement of {name} is measured against {body.behind.place}."
+
+
+def _describe_sides(name: str, body: Body) -> str:
+    """Return the sentences on the side faces of a body, named ``name``; empty if it has none."""
     sentences = []
     sides = zip(body.face_weights, body.free_faces, strict=True)
     if any(body.free_faces):
         sentences.append(
-            f"Side faces of {name} are free of shear and of normal stress, as those of an elastic quarter-space, below "
-            "the surface, too."
+            f"The side faces of {name} are free of shear and normal stress, also below the surface, as those of an "
+            "elastic quarter-space."
         )
     weights = [weight for weight, free in sides if weight > 0.0 and not free]
     if weights:
         parts = " and ".join(f"{weight:.3g}" for weight in dict.fromkeys(weights))
         sentences.append(
-            f"Side faces of {name} are freed of shear by mirror images of the pressure with the weight {parts}. A "
-            "normal stress remains on them, so the true pressure at an end is lower."
+            f"Mirror images of the pressure with weight {parts} free the side faces of {name} from shear. A normal "
+            "stress remains on them, so the true pressure at an end is lower."
         )
-    return " ".join([*sentences, f"Displacement of {name} is measured against {body.behind.place}."])
+    return " ".join(sentences)
 
 
 def _join_lines(text: str) -> str:

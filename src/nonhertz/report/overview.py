@@ -1,4 +1,4 @@
-"""What was solved, in a sentence; the numbers that are looked for first; and what follows from the dimensions."""
+"""The opening sentence on what was solved, the key figures, and quantities derived from the dimensions."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 SAMPLES = 401  # points on the interval in which both bodies can touch
 FARTHEST = 1e3  # mm; cuts an unbounded interval
-NEAR_ENDS = 0.9  # of what can touch: at the very end some bodies have no relief
+NEAR_ENDS = 0.9  # of the length that can touch: at its very end some bodies have no relief
 PARTS = ("roller", *RINGS)
 _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
     "radial": ("a radial force of", newton),
@@ -41,7 +41,7 @@ _PRESCRIBED: dict[str, tuple[str, Callable[..., Amount]]] = {
 
 
 def key_numbers(result: Results) -> list[Row]:
-    """Return name, number and place of what is looked for first."""
+    """Return name, value and remark of the key figures."""
     if isinstance(result, BearingResults):
         numbers = [] if result.solution is None else bearing_numbers(result.case, result.solution, result.life)
     else:
@@ -80,7 +80,7 @@ def _describe_body(body: Body, letter: str) -> str:
 
 
 def derived_quantities(result: Results) -> list[tuple[str, str]]:
-    """Return name and value of what follows from the dimensions."""
+    """Return name and value of quantities derived from the dimensions."""
     if isinstance(result, BearingResults):
         return list(_bearing_quantities(result.case))
     contact = result.solution.contact
@@ -91,7 +91,7 @@ def derived_quantities(result: Results) -> list[tuple[str, str]]:
         y = np.linspace(pieces[0][0], pieces[-1][1], SAMPLES)
     curvature, relief = contact.curvature(y), contact.separation(y)
     rows = [
-        ("both bodies can touch", _interval(low, high)),
+        ("interval in which the bodies can touch", _interval(low, high)),
         ("combined radius of curvature across", _span(1.0 / curvature, "mm")),
         ("combined curvature across", _span(curvature, "1/mm")),
     ]
@@ -116,14 +116,14 @@ def _span(values: Array, unit: str) -> str:
     return f"{amount((low,) if same else sorted((low, high)), unit, between=' to '):.5g}"
 
 
-# Of bearings alone
+# Bearings only
 
 
 def _bearing_quantities(case: BearingCase) -> Iterator[tuple[str, str]]:
     row = case.bearing.rows[0].bearing
     between = row.pitch * math.sin(math.pi / row.rollers) - row.roller_diameter
     yield "pitch diameter", f"{mm(row.pitch):g}"
-    yield "room between neighbouring rollers", f"{mm(between):4}" if row.rollers > 1 else "no neighbour"
+    yield "distance between neighbouring rollers", f"{mm(between):4}" if row.rollers > 1 else "no neighbour"
     if row.nominal_angle and not isinstance(row, CylindricalThrustBearing):
         yield "contact angles at inner and outer ring", _degrees(*row.contact_angles)
     if isinstance(row, TaperedRollerBearing):

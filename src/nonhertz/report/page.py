@@ -1,4 +1,4 @@
-"""From the results of contacts or bearings to the text of an HTML file: what stands on the page, section by section."""
+"""From the results of contacts or bearings to the text of an HTML file: the sections of the page."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nonhertz.report import figures
 from nonhertz.report.assumptions import NO_INPUT, Assumption, Verdict, judge_assumptions
 from nonhertz.report.differences import compare_inputs, result_rows, summarize, verdict_rows
 from nonhertz.report.downloads import collect_downloads
-from nonhertz.report.inputs import Entry, InputGroup, collect_inputs, readable_place
+from nonhertz.report.inputs import Entry, InputGroup, collect_inputs, readable_place, share_material
 from nonhertz.report.layout import Files, Part, Words, render_page
 from nonhertz.report.method import describe_method
 from nonhertz.report.overview import derived_quantities, key_numbers, opening_sentence
@@ -40,14 +40,15 @@ _OF_CONTACT = Words(
     "solve",
     "Elastic contact, solved with strip elements",
     "The axis y runs along the contact from the middle of the bodies, x across it, z down into a body; positive relief "
-    "is material removed; a positive tilt loads the side of positive y.",
+    "is material removed; a positive tilt (misalignment) loads the side of positive y.",
 )
 _OF_BEARING = Words(
     "bearing",
     "bearing",
     "Whole bearing, rollers and rings in equilibrium",
-    "x is the bearing's axis, y points to the first roller; forces and motions are those of the inner ring. Along a "
-    "roller, y is its own axis, from its middle; positive relief is material removed; positive clearance is room.",
+    "x is the bearing's axis, y points to the first roller; forces, displacements and tilts (misalignments) are those "
+    "of the inner ring. Along a roller, y is its own axis, from its middle; positive relief is material removed; a "
+    "negative clearance is preload.",
 )
 
 
@@ -68,14 +69,14 @@ def compose(
     cases : sequence of Case or of BearingCase
         At least one; others are compared with the first.
     life : bool or None
-        Whether to assess lives, which takes seconds; None for only those cases that mention life. Bearings are rated
-        unless it is False.
+        Whether to assess lives, which takes seconds; None for cases with a table life only. Bearings are rated unless
+        it is False.
     stress : bool
-        Whether to search for the largest stresses below the surface; bearings have none.
+        Whether to search for the largest stresses below the surface; without effect on bearings.
     compare : bool
         Whether to solve bearings by slices as well.
     title_block : TitleBlock or None
-        Project, author and date for the head of the page; what it leaves empty is that of the first case.
+        Project, author and date for the head of the page; empty fields are taken from the first case.
     units : {"si", "us"}
         Units in which numbers are shown: ``"us"`` for in, lbf and ksi. The files in the report keep theirs.
     announce : callable
@@ -84,14 +85,14 @@ def compose(
     Returns
     -------
     str
-        The file. Cases that have not converged are reported without stress and life.
+        The text of the file. Cases that have not converged are reported without stress and life.
 
     Raises
     ------
     CaseError
         If the solver rejects a case.
     InputError
-        If there are cases of both kinds.
+        If cases and bearings are mixed, or ``title_block`` is not a TitleBlock.
     """
     if not (title_block is None or isinstance(title_block, TitleBlock)):
         remedy = "make one with nonhertz.report.TitleBlock"
@@ -102,9 +103,9 @@ def compose(
 
 
 def to_html(results: Sequence[Results], block: TitleBlock | None = None) -> str:
-    """Return the text of the report on these results; what ``block`` leaves empty in its head is that of the first.
+    """Return the text of the report on these results; empty fields of ``block`` are taken from the first case.
 
-    Several are compared; what is not compared of each is folded.
+    Several results are compared; the parts that are not compared are folded.
     """
     words = _OF_BEARING if isinstance(results[0], BearingResults) else _OF_CONTACT
     head = (block or TitleBlock()).over(results[0].case.title_block)
@@ -127,7 +128,7 @@ def to_html(results: Sequence[Results], block: TitleBlock | None = None) -> str:
 
 
 def _result_sections(result: Results) -> list[Section]:
-    """Return what a terminal shows of results, too."""
+    """Return the sections that a terminal shows as well."""
     if isinstance(result, BearingResults):
         if result.solution is None:
             return []
@@ -142,7 +143,7 @@ def _result_sections(result: Results) -> list[Section]:
 
 
 def _join_short_sections(sections: Sequence[Section]) -> list[Section]:
-    """Return sections, of which those of short summaries share a heading and stand beside each other on paper."""
+    """Return the sections; short summaries share a heading and are side by side on paper."""
     sections = [*map(_without_method, sections)]
     short = [section for section in sections if section.title in _SHORT]
     blocks = [replace(block, title=title) for title, blocks in short for block in blocks if isinstance(block, Table)]
@@ -154,7 +155,7 @@ def _join_short_sections(sections: Sequence[Section]) -> list[Section]:
 
 
 def _without_method(section: Section) -> Section:
-    """Return a section without the rows on the method, which has a section of its own in a report."""
+    """Return a section without the rows on the method, which has its own section in a report."""
     blocks = []
     for block in section.blocks:
         names = [row[0] for row in block.rows] if isinstance(block, Table) and block.layout == SUMMARY else []
@@ -164,10 +165,10 @@ def _without_method(section: Section) -> Section:
 
 
 def _basis_sections(result: Results, words: Words) -> list[Section]:
-    """Return what results rest on: inputs, assumptions, method, references and files."""
+    """Return the basis of the results: inputs, assumptions, method, references and files."""
     paragraphs, references = describe_method(result)
     derived = Table(derived_quantities(result), layout="inputs follows", title="Derived quantities")
-    tables = chain.from_iterable(map(_input_tables, collect_inputs(result.case)))
+    tables = chain.from_iterable(map(_input_tables, share_material(collect_inputs(result.case))))
     return [
         Section("Inputs", [*tables, derived]),
         *_measured_sections(result.case),
@@ -179,7 +180,7 @@ def _basis_sections(result: Results, words: Words) -> list[Section]:
 
 
 def _assumption_blocks(assumptions: Sequence[Assumption], words: Words) -> list[Block]:
-    """Return the assumptions that are strained or open first, then those that hold, and those that no input shows."""
+    """Return assumptions that are strained or not judged, then those that hold, then those that no input decides."""
     judged = [assumption for assumption in assumptions if assumption.number != NO_INPUT]
     holding = [assumption for assumption in judged if assumption.verdict is Verdict.HOLDS]
     names = "; ".join(assumption.name for assumption in holding)
@@ -191,8 +192,8 @@ def _assumption_blocks(assumptions: Sequence[Assumption], words: Words) -> list[
     return [
         _assumption_table([assumption for assumption in judged if assumption not in holding], words),
         Notes([f"These hold: {names[:1].lower()}{names[1:]}."] if holding else []),
-        replace(_assumption_table(holding, words), folded="What these are, and the numbers"),
-        Notes(["No input shows whether these hold.", *beyond]),
+        replace(_assumption_table(holding, words), folded="Criteria and numbers"),
+        Notes(["No input decides whether these hold.", *beyond]),
     ]
 
 
@@ -206,13 +207,14 @@ def _assumption_table(assumptions: Sequence[Assumption], words: Words) -> Table:
 
 
 def _input_tables(group: InputGroup) -> Iterator[Table]:
-    """Yield the inputs that were given, and the usual ones, folded."""
+    """Yield the inputs that were given, and the defaults, folded."""
     defaults = [entry for entry in group.entries if entry.default]
     rows = [_input_row(row) if isinstance(row, Entry) else row for row in group.rows if row not in defaults]
     yield Table(rows, layout="inputs", title=group.title)
     if defaults:
         keys = ", ".join(entry.name for entry in defaults)
-        folded = f"{len(defaults)} default{'s' if len(defaults) > 1 else ''}: {keys}"
+        of = "" if rows else f"{group.title}: "
+        folded = f"{of}{len(defaults)} default{'s' if len(defaults) > 1 else ''}: {keys}"
         yield Table([*map(_input_row, defaults)], layout="inputs", folded=folded)
 
 
@@ -222,7 +224,7 @@ def _input_row(entry: Entry) -> tuple[str | Cell, ...]:
 
 
 def _measured_sections(case: Case | BearingCase) -> Iterator[Section]:
-    """Yield what was done to the measured profiles whose files are available, step by step."""
+    """Yield the preparation of the measured profiles whose files are available, step by step."""
     for place, body in body_tables(case.document):
         for number, table in enumerate(profile_tables(body), start=1):
             content, file = case.attachments.get(str(table.get("file"))), table.get("file")
@@ -230,12 +232,12 @@ def _measured_sections(case: Case | BearingCase) -> Iterator[Section]:
                 values = {key: validate_key(key, value) for key, value in table.items() if key != "kind"}
                 measured = read_measured(content, values, file)
                 drawn = figures.draw_pictures({"": measured_steps(measured)})
-                title = f"What was done to {file}: {readable_place(f'{place}.profile[{number}]')}"
+                title = f"Preparation of {file}: {readable_place(f'{place}.profile[{number}]')}"
                 yield Section(title, [summary(measured_shown.rows(measured)), *drawn])
 
 
 def _comparison_sections(results: Sequence[Results], rows: Sequence[Compared | Cells], words: Words) -> list[Section]:
-    """Return several results beside the first: inputs, figure, numbers, given as rows, and lives."""
+    """Return a comparison of several results with the first: verdicts, inputs, figure, ``rows`` of numbers, lives."""
     labels = [result.label for result in results]
     differing, same, notes = compare_inputs([collect_inputs(result.case) for result in results])
     blocks: list[Block] = [Notes([f"The {words.one}s have the same inputs."], "paragraphs")]

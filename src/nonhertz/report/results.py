@@ -1,4 +1,4 @@
-"""Results of the cases or bearings in a report: solutions first, then stress below the surface, life and slices."""
+"""Results of the cases or bearings in a report: solutions, then stress below the surface, life and slices."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ from nonhertz.verdict import Verdict, collect_findings, judge_contact, worst_ver
 
 Item = TypeVar("Item")
 Made = TypeVar("Made")
-STRESS_STEPS = 2  # in the whole body and in a cross-section
+STRESS_STEPS = 2  # searches: in the whole body and in a cross-section
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,13 +55,13 @@ class CaseResults:
     solution : Solution
         The solution, or the state in which the solver stopped.
     complaint : str
-        Why the solver stopped, or why there is no life; empty if nothing failed.
+        Why the solver stopped, or why there is no life; empty if neither failed.
     stress : tuple of two Extremes or None
         The largest stresses in body a and in one cross-section of it.
     strengths : tuple of Strength
-        Whether body a, and body b if anything is known of it, bears the stress; empty without stress.
+        Whether body a, and body b if its strength is known, withstands the stress; empty without stress.
     lives : Assessment or None
-        How long both bodies last.
+        The lives of both bodies; None without them.
     """
 
     case: Case
@@ -74,7 +74,7 @@ class CaseResults:
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether it bears its load."""
+        """Whether limits are met."""
         if self.complaint:
             return None
         own = judge_contact(self.solution, self.strengths)
@@ -100,15 +100,15 @@ class BearingResults:
     label : str
         Short name that distinguishes it from other bearings.
     solution : BearingSolution or None
-        The loaded bearing; None if no balance was found.
+        The loaded bearing; None if no equilibrium was found.
     complaint : str
         Why there is no solution; empty if there is one.
     life : BearingLife or None
-        How long it lasts; None if it is not rated, or if nobody asked.
+        Its life; None if it is not rated, or if no life was requested.
     reason : str
         Why it is not rated.
     slices : BearingSolution or None
-        The same by slices, if a comparison was asked for.
+        The solution by slices, if a comparison was requested.
     """
 
     case: BearingCase
@@ -121,7 +121,7 @@ class BearingResults:
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether it bears its load."""
+        """Whether limits are met."""
         if self.solution is None:
             return None
         return self.case.verdict(self.solution, self.life)
@@ -148,7 +148,7 @@ def require_one_kind(cases: Sequence[Case | BearingCase]) -> Sequence[Case | Bea
     first = {case.kind: case.path for case in reversed(cases)}
     if len(first) > 1:
         both = f"{first['case']} and {first['bearing']}"
-        remedy = "make a report of each kind, with 'nonhertz report' twice"
+        remedy = "make two reports, one of each kind"
         raise InputError("cases", both, "be all case files or all bearing files", remedy)
     return cases
 
@@ -161,8 +161,8 @@ def solve_all(cases: Sequence[Case | BearingCase], announce: Announce = no_progr
     CaseError
         If the solver rejects any case, with every mistake; with several cases each is prefixed by its file's name.
     InputError
-        If a case made in Python has something no case file can hold, which a report shows, or there are cases of both
-        kinds; before anything is solved.
+        If a case made in Python has no form as a case file, which a report shows, or cases and bearings are mixed;
+        before anything is solved.
     """
     for case in require_one_kind(cases):
         _ = case.document
@@ -171,12 +171,12 @@ def solve_all(cases: Sequence[Case | BearingCase], announce: Announce = no_progr
 
 
 def make_all(items: Sequence[Item], name: Callable[[Item], str | Path], make: Callable[[Item], Made]) -> list[Made]:
-    """Return what is made of each item.
+    """Return the values that ``make`` returns for the items.
 
     Raises
     ------
     CaseError
-        With every mistake; with several items, each is prefixed by the name of what it is in.
+        With every mistake; with several items, each mistake is prefixed by the name of its item.
     """
     made: list[Made] = []
     mistakes: list[str] = []
@@ -202,7 +202,7 @@ def _solve(case: Case | BearingCase, label: str, announce: Announce) -> Results:
             return BearingResults(case, label, case.solve())
         except ConvergenceError as error:
             return BearingResults(case, label, None, str(error))
-        except InputError as error:  # of a contact, when its pressure is solved
+        except InputError as error:  # from a contact whose pressure is solved
             raise with_file_path(error, case.document) from None
 
 
@@ -214,23 +214,23 @@ def post_process(
     compare: bool = False,
     announce: Announce = no_progress,
 ) -> tuple[Results, ...]:
-    """Return results with all that follows from the solutions, where requested and the case has converged.
+    """Return results with stress, life and slices added, where requested and where the case has converged.
 
     Parameters
     ----------
     results : sequence of CaseResults or of BearingResults
-        What `solve_all` returned.
+        The results of `solve_all`.
     life : bool or None
-        Whether to assess lives; None for only those cases that mention life, and for all bearings.
+        Whether to assess lives; None for cases with a table life, and for all bearings.
     stress : bool
-        Whether to search for the largest stresses below the surface; bearings have none.
+        Whether to search for the largest stresses below the surface; without effect on bearings.
     compare : bool
         Whether to solve bearings by slices as well.
     announce : callable
         Called with the name of each step as it begins; `count_steps` returns how often.
     """
     living = [result for result in results if isinstance(result, CaseResults) and _wants_life(result, life)]
-    # By the models of the first case, so that lives can be compared.
+    # All cases by the models of the first, so that lives can be compared.
     models, notes = choose_models(living[0].case, (), [result.case for result in living]) if living else ((), ())
 
     def process(result: Results) -> Results:
@@ -267,7 +267,7 @@ def count_steps(results: Sequence[Results], *, life: bool | None = None, stress:
 
 
 def _rate_bearing(result: BearingResults, rated: bool, compare: bool) -> BearingResults:
-    """Return a bearing with its rating, and by slices."""
+    """Return a bearing with its life and its solution by slices, where requested."""
     assert result.solution is not None
     with without_accuracy_warnings():
         life, reason = result.case.rated(result.solution) if rated else (None, "")
@@ -284,7 +284,7 @@ def _wants_life(result: CaseResults, life: bool | None) -> bool:
 
 
 def case_labels(cases: Sequence[Case | BearingCase]) -> list[str]:
-    """Return the label of each case in tables and legends: its file's name, with its path or a number if ambiguous."""
+    """Return the label of each case in tables and legends: its file's name, with path or number if ambiguous."""
     names = [Path(case.file_name).stem for case in cases]
     if len(set(names)) < len(names):
         names = [printable_name(str(case.path.with_suffix(""))) for case in cases]

@@ -1,7 +1,7 @@
 """From a solved case to its results: largest stresses, lives.
 
 Shared by the command line, reports and the page. Errors name the key of the case file. Python warnings are suppressed,
-since the results carry them as sentences.
+since the results contain them as sentences.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def no_progress(name: str) -> None:
 
 
 def solve_loads(case: Case) -> Spectrum:
-    """Return the solutions for all loads of a case, with their shares of the revolutions; raises as `solve_case`."""
+    """Return the solutions under all loads of a case, with their shares of revolutions; raises as `solve_case`."""
     if not case.life.spectrum:
         return ((solve_case(case), 1.0),)
     with _name_keys_in_errors():
@@ -53,7 +53,7 @@ def largest_stresses(
     solution : Solution
         A solved contact.
     station : float or None
-        Another position of the cross-section [mm].
+        Position of the cross-section [mm], instead of that of the largest von Mises stress.
     body : {"a", "b"}
         Which body.
     announce : callable
@@ -72,7 +72,7 @@ def largest_stresses(
     near = [
         finding(
             "section-near-an-end",
-            "The cross-section at y = {y:.5g} is within a half-width of {end}, towards which the stress has no limit: "
+            "The cross-section at y = {y:.5g} is within a half-width of {end}, towards which the stress is unbounded: "
             "its largest values depend on the strips.",
             y=mm(y),
             end=ends_in_words([end]),
@@ -84,14 +84,14 @@ def largest_stresses(
 
 
 def has_strength(body: Body) -> bool:
-    """Return whether anything is known of what a body bears."""
+    """Return whether any strength of a body is known."""
     material = body.material
     known = (material.yield_strength, material.core_yield_strength, material.pressure_limit, body.case_depth)
     return any(requirement is not None for requirement in known)
 
 
 def strengths(solution: Solution, overall: Extremes, announce: Announce = no_progress) -> tuple[Strength, ...]:
-    """Return whether the bodies bear it: that of the stresses at hand, and the other if anything is known of it.
+    """Return whether the bodies withstand the stress: the body of ``overall``, and the other if its strength is known.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def strengths(solution: Solution, overall: Extremes, announce: Announce = no_pro
     overall : Extremes
         The largest stresses in one body, from `largest_stresses`.
     announce : callable
-        Called with the name of a further search as it begins.
+        Called with the name of a second search as it begins.
     """
     assessments = [assess(solution, body=overall.body, largest=overall)]
     other: BodyName = "b" if overall.body == "a" else "a"
@@ -163,13 +163,13 @@ def assess_lives(
         if not any(isinstance(life.model, VolumeModel) for life in assessment.lives["b"]):
             return replace(assessment, notes=(*notes, "The dent is left out: it needs a model of the stressed volume."))
         assessment = replace(assessment, dent=overrolled(spectrum[0][0], dent.dent, body=dent.body), dents=dent.number)
-        _ = assessment.dent_lives  # refused here, where errors name keys of the file
+        _ = assessment.dent_lives  # evaluated here, where errors name keys of the file
     return assessment
 
 
 @contextlib.contextmanager
 def _name_keys_in_errors() -> Iterator[None]:
-    """Turn errors into ones that name the key of the case file, and suppress warnings, which the results carry."""
+    """Name the keys of the case file in errors, and suppress warnings, which the results contain."""
     with without_accuracy_warnings():
         try:
             yield

@@ -1,4 +1,4 @@
-"""A loaded bearing in rows: what it is, loads and motions, its rollers, life, and two methods side by side."""
+"""A loaded bearing in rows: its type, loads and displacements, rollers, life, and two methods side by side."""
 
 from __future__ import annotations
 
@@ -48,23 +48,23 @@ from nonhertz.show.lives import of_life
 from nonhertz.show.sections import Cell, Notes, Row, Section, Table, assumed_rows, summary
 from nonhertz.study.quantities import number_of
 
-OF_LARGEST = "Differences of loads are per cent of the largest load by strips, others of the value by strips."
-#: What has the numbers that strips and slices have alike.
+OF_LARGEST = "Differences of loads are in per cent of the largest load by strips, others of the value by strips."
+#: The parts of a solution whose numbers both strips and slices have.
 _COMPARED = ("displacement", "force", "load")
 _OF_TOLERANCES = (
-    "At the least and the greatest clearance all parts are at their limits; the last column is three standard "
-    "deviations wide to either side, for parts that are normal and independent."
+    "At the least and the greatest clearance all parts are at their limits; the last column is the mean plus and "
+    "minus three standard deviations, for parts that are independent and normally distributed."
 )
 TOLERANCES, ALL_ROLLERS = "Tolerances", "All rollers"
-#: The name of the row that begins the last rows of the summary, on how it was solved.
+#: The name of the first of the last rows of the summary, on the method.
 METHOD = "method"
 _REVOLUTIONS = " million revolutions"
 _WithClearance = CylindricalRollerBearing | SphericalRollerBearing | TaperedRollerBearing
-_PLAY = 1e-3  # mm, below which diameters are rounded
+_PLAY = 1e-3  # mm: smaller differences are rounding of diameters
 
 
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
-    """Return what is shown of a loaded bearing; nothing of its life if neither that nor a reason is given."""
+    """Return the sections on a loaded bearing; without rows on its life if there is neither a life nor a reason."""
     lives = life_rows(life, reason) if life is not None or reason else []
     if lives and case.spectrum:
         share = f"{format_input(100.0 * sum(load_case.share for load_case in case.spectrum), 4)} % of revolutions"
@@ -77,24 +77,24 @@ def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | N
         Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
         Section("Film", [summary(film_rows(case, films))]),
         Section("Friction", [summary(friction_rows(case, solution))]),
-        Section("Limits of makers", [summary(limit_rows(case, solution))]),
+        Section("Manufacturers' limits", [summary(limit_rows(case, solution))]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
         Section(ALL_ROLLERS, [roller_table(solution, films)]),
     ]
 
 
 def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
-    """Return what is shown of a bearing by strips and by slices."""
+    """Return the sections that compare a bearing by strips and by slices."""
     alike = [quantity for part in _COMPARED for quantity in QUANTITIES.values() if quantity.within == part]
     numbers = [clean_numbers(alike, SolvedBearing(case, solution)) for solution in (strips, slices)]
     return [
-        Section("Strips beside slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
+        Section("Strips compared with slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
         Section("", [compared_table(strips, slices), Notes([OF_LARGEST])]),
     ]
 
 
 def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
-    """Return name, value and remark of what loads a bearing, how it moves, and its most loaded roller."""
+    """Return name, value and remark of the loads on a bearing, its displacement, and its most loaded roller."""
     speed = case.prescribed.speed
     return [
         *_bearing_rows(solution.bearing, fitted=case.fit is not None),
@@ -115,13 +115,13 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
 
 
 def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
-    """Return name, value and remark of ratings, safety and lives; why there are none, if there are none."""
+    """Return name, value and remark of ratings, safety and lives; without a life, the reason."""
     if life_result is None:
         return [("life", "none", reason)]
     rating = life_result.rating
 
     def beside(life: float, remark: str = "") -> str:
-        """Return a remark after a life in hours, if there is one."""
+        """Return a remark, after the life in hours if there is one."""
         hours = ""
         if life_result.speed and math.isfinite(life):
             speed = format_input(float(life_result.speed), 4)
@@ -173,7 +173,7 @@ def kinematic_rows(kinematics: Kinematics | None) -> list[Row]:
             "rollers",
             kinematics.roller_speed / 60.0,
             f"{format_digits(kinematics.roller_speed, 5)} 1/min",
-            "about their axes, against the cage, ",
+            "about their axes, relative to the cage, ",
         ),
         (
             "over-rolling",
@@ -186,7 +186,7 @@ def kinematic_rows(kinematics: Kinematics | None) -> list[Row]:
             "",
             kinematics.roller_frequency,
             f"{format_digits(kinematics.roller_frequency, 5)} Hz",
-            "rollers, twice in a turn, 2 BSF, ",
+            "rollers, twice per turn, 2 BSF, ",
         ),
     ]
     return [
@@ -236,7 +236,7 @@ def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
 
 
 def roller_table(solution: BearingSolution, films: Films | None = None) -> Table:
-    """Return what every roller bears, in units that suit the largest; blank where there is nothing of the sort."""
+    """Return loads, tilts, pressures and films of every roller, in units that suit the largest; blank for none."""
     ribbed, ribs = solution.each_rib_load.size > 0, solution.rib_load.max(axis=1, initial=0.0)
     pressed = solution.method == "strips"
     pressures = solution.max_pressure if pressed else np.zeros(solution.load.shape)
@@ -273,7 +273,7 @@ def _format_positive(values: NDArray[np.float64], digits: int) -> list[str]:
 
 
 def clean(quantity: Quantity, solved: SolvedBearing) -> float:
-    """Return a number, zero where it is rounding beside the largest load or motion; nan where there is none."""
+    """Return a number, zero if it is rounding relative to the largest load or displacement; NaN if there is none."""
     value, solution = number_of(quantity, solved), solved.solution
     load, moved = float(solution.load.max()), float(np.max(np.abs(solution.displacement[:3])))
     pitch = solution.bearing.rows[0].bearing.pitch
@@ -282,7 +282,7 @@ def clean(quantity: Quantity, solved: SolvedBearing) -> float:
 
 
 def clean_numbers(quantities: Iterable[Quantity], solved: SolvedBearing) -> dict[str, float]:
-    """Return numbers by name, zero where they are rounding; nan where there is none."""
+    """Return numbers by name, zero where they are rounding; NaN where there is none."""
     return {quantity.name: clean(quantity, solved) for quantity in quantities}
 
 
@@ -295,7 +295,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     for j, roller in enumerate(_rollers(strips)):
         cells: list[str | Cell] = [*roller]
         for pair in zip(strips.load[j].tolist(), slices.load[j].tolist(), strict=True):
-            # Most rollers of a bearing bear no load.
+            # Most rollers of a bearing are not loaded.
             words = changes(pair, most) if pair[0] != pair[1] else ("", "")
             cells += map(Cell, (format_digits(factor * load) for load in pair), words)
         rows.append(cells)
@@ -303,7 +303,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
 
 
 def carrying(solution: BearingSolution) -> NDArray[np.bool_]:
-    """Return which rollers are pressed by both rings, shape (rollers,); speed presses others against the outer one."""
+    """Return which rollers are loaded by both rings, shape (rollers,); at speed others load the outer ring only."""
     return np.asarray(solution.load.min(axis=1) > 0.0)
 
 
@@ -325,7 +325,7 @@ def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]
     if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
         table.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
-        # To 10 nm: that for a preload, or by temperatures, is given by nobody.
+        # Rounded to 10 nm: a clearance from a preload or from temperatures has digits that nobody gave.
         between = um(round(bearing.clearance, 5))
         table.append(("clearance of the rows", f"{between:g}", "axial"))
     return table
@@ -338,19 +338,19 @@ def _clearance_rows(row: _WithClearance, fitted: bool, which: str) -> list[Row]:
     when, words = (", in operation", f"{um(clearance):4}") if fitted else ("", f"{um(clearance):g}")
     rows = [("clearance", words, f"{way}{when}{which}{group}")]
     if row.nominal_angle == 0.0 and min(abs(row.play), abs(row.play - clearance)) > _PLAY:
-        rows.append(("", f"{um(row.play):4}", "left by the raceways' diameters: not counted"))
+        rows.append(("", f"{um(row.play):4}", "from the diameters of raceways and rollers, not used"))
     return rows
 
 
 def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
-    """Return the preload that the clearance of rows comes from."""
+    """Return the preload from which the clearance of the rows follows."""
     if not isinstance(bearing, Paired) or bearing.preload is None:
         return []
-    return [("preload", f"{newton(bearing.preload):g}", "axial, of the rows as they are mounted, without load")]
+    return [("preload", f"{newton(bearing.preload):g}", "axial, of the mounted rows without load")]
 
 
 def _fit_rows(case: BearingCase) -> list[Row]:
-    """Return what is left of the clearance before mounting, and what takes it; axial ones of tapered rows."""
+    """Return the clearance before mounting and its reductions; of tapered rows the axial ones."""
     operating = case.operating_clearance
     if operating is None or case.fit is None:
         return []
@@ -362,7 +362,7 @@ def _fit_rows(case: BearingCase) -> list[Row]:
     rows = [("before mounting", f"{um(factor * operating.unmounted):g}", way)]
     rows += [("", f"{um(factor * key.value(operating)):4}", key.meaning) for key in LOSSES]
     if isinstance(case.bearing, Paired):
-        rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "given by temperatures between rows"))
+        rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "increase by temperatures between the rows"))
     for ring, fit in (("inner", operating.inner), ("outer", operating.outer)):
         loose = ", loosened" if fit.loosened else ""
         value = f"{mpa(fit.pressure):4}{loose}"
@@ -395,12 +395,12 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
         ("", solution.place_of(j), ""),
     ]
     if np.any(tilts != 0.0):
-        rows.append(("", f"tilted by {mrad(*tilts, between=' and '):4}", "against inner and outer ring"))
+        rows.append(("", f"tilted by {mrad(*tilts, between=' and '):4}", "relative to inner and outer ring"))
     return rows
 
 
 def _zones(solution: BearingSolution) -> str:
-    """Return in words from which to which roller loaded ones follow each other, for every row."""
+    """Return the load zones of every row in words."""
     rows, carries = solution.bearing.rows, carrying(solution)
     zones = [_zone(solution.angle[row.rollers], carries[row.rollers]) for row in rows]
     return "; ".join(f"row {number}: {zone}" for number, zone in enumerate(zones, start=1)) if rows[1:] else zones[0]
@@ -412,7 +412,7 @@ def _zone(angle: NDArray[np.float64], loaded: NDArray[np.bool_]) -> str:
     starts, ends = (angle[loaded & ~np.roll(loaded, step)] for step in (1, -1))
     if not starts.size:
         return "none"
-    if ends[0] < starts[0]:  # through the angle zero
+    if ends[0] < starts[0]:  # a zone that includes the angle zero
         starts = np.roll(starts, 1) - 2.0 * math.pi * (np.arange(starts.size) == 0)
     words = [
         f"{_degrees(low)} to {_degrees(high)}" if low != high else _degrees(low)
@@ -422,7 +422,7 @@ def _zone(angle: NDArray[np.float64], loaded: NDArray[np.bool_]) -> str:
 
 
 def _tilts(solution: BearingSolution) -> NDArray[np.float64]:
-    """Return the tilts of all contacts [rad], without those that are rounding beside the approach."""
+    """Return the tilts of all contacts [rad], zero where they are rounding relative to the approach."""
     half = 0.5 * max(row.bearing.roller_length for row in solution.bearing.rows)
     floor = 1e-9 * float(np.max(np.abs(solution.approach), initial=0.0))
     return np.where(half * np.abs(solution.tilt) > floor, solution.tilt, 0.0)
@@ -430,7 +430,7 @@ def _tilts(solution: BearingSolution) -> NDArray[np.float64]:
 
 def _pressure_rows(solution: BearingSolution) -> list[Row]:
     if solution.method != "strips":
-        return [("maximum pressure", "none", "slices have loads alone; solve by strips for pressures")]
+        return [("maximum pressure", "none", "slices have loads only; solve by strips for pressures")]
     pressure, where = solution.max_pressure, solution.max_pressure_y
     if not pressure.max() > 0.0:
         return []
@@ -468,7 +468,7 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
             (
                 "",
                 str(amount(solution.edge_stiffness, "N/mm", "N/um")),
-                f"within {amount(1e-5, 'mm', 'nm'):g}: {who} at the edge of the load zone without load",
+                f"within {amount(1e-5, 'mm', 'nm'):g}: {who} at the edge of the load zone, unloaded",
             )
         )
     return [
@@ -479,7 +479,7 @@ def _stiffness_rows(solution: BearingSolution) -> list[Row]:
 
 def _method_rows(solution: BearingSolution) -> list[Row]:
     if solution.method != "strips":
-        return [(METHOD, "slices", "independent ones of ISO/TS 16281, two equal contacts in series")]
+        return [(METHOD, "slices", "independent, of ISO/TS 16281, two equal contacts in series")]
     bearing = solution.bearing.rows[0].bearing
     return [
         (METHOD, "strips", "semi-elliptic, on automatic grids"),

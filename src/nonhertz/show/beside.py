@@ -1,4 +1,4 @@
-"""Several results side by side: rows of numbers in one unit each, with their differences from the first result."""
+"""Several results side by side: rows of numbers in one unit, with their differences from the first result."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ class Compared:
     Attributes
     ----------
     name : str
-        What it is.
+        Name of the number.
     amount : Amount
-        A value for each result, NaN where it has none.
+        A value for each result, NaN if it has none.
     absolute : bool
-        Whether differences are in the unit of the amount instead, as for positions.
+        Whether differences are in the unit of the amount instead of per cent, as for positions.
     """
 
     name: str
@@ -42,7 +42,7 @@ class Compared:
     @property
     def cells(self) -> list[Cell]:
         """A cell for each result, with its difference from the first as a remark."""
-        # Counts and ratios are no measurements: zeros at their end say nothing.
+        # Trailing zeros are dropped for counts and ratios, where they mean nothing.
         write, factor = (format_digits if self.amount.unit else format_input), self.amount.scale[0]
         texts = (write(factor * value, 5) if math.isfinite(value) else ABSENT for value in self.amount.values)
         return [*map(Cell, texts, self._differences if self.absolute else changes(self.amount.values))]
@@ -56,7 +56,7 @@ class Compared:
 
 
 def changes(values: Sequence[float], scale: float | None = None) -> list[str]:
-    """Return differences from the first value in per cent of it, or of ``scale``; empty where there is none.
+    """Return differences from the first value in per cent of it, or of ``scale``; empty for the first and for NaN.
 
     Examples
     --------
@@ -71,7 +71,7 @@ def changes(values: Sequence[float], scale: float | None = None) -> list[str]:
 
 
 def compared(quantities: Iterable[Quantity], results: Sequence[Mapping[str, float]]) -> list[Compared]:
-    """Return quantities of results, given by name, as far as one of the results has them and they are not all zero."""
+    """Return the quantities of results, given by name, that at least one result has and that are not all zero."""
     rows = ((quantity, [values.get(quantity.name, math.nan) for values in results]) for quantity in quantities)
     return [
         Compared(quantity.label, quantity.amount(*values))
@@ -90,7 +90,7 @@ def beside(rows: Iterable[Compared | Cells], labels: Iterable[str], name: str = 
     labels : iterable of str
         Names of the results.
     name : str
-        What stands above the names of the numbers.
+        Heading of the column of names.
     """
     cells: Iterable[Cells] = ((row.head, *row.cells) if isinstance(row, Compared) else row for row in rows)
     return Table([*cells], (name, *labels), (0,), remarks="difference")

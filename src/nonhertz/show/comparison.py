@@ -13,7 +13,7 @@ from nonhertz.show.sections import Notes, Section
 
 
 def sections(comparison: Comparison) -> list[Section]:
-    """Return what is shown of a comparison: results side by side, run times, and where the methods differ."""
+    """Return the sections on a comparison: results side by side, run times, and where the methods differ."""
     seconds, (across, along) = comparison.seconds, comparison.patch.cells
     semi, parabolic = (f"{strip_solution.strips} strips" for strip_solution in comparison.strips)
     times = [
@@ -29,19 +29,19 @@ def sections(comparison: Comparison) -> list[Section]:
 
 
 def _sentences(comparison: Comparison) -> list[str]:
-    """Return how times were taken, remarks on quantities, and every stretch that differs."""
-    lines = [f"Times: one solve on the plane grid, the median of {comparison.seconds.runs} on strips."]
+    """Return how times were measured, remarks on quantities, and every stretch that differs."""
+    lines = [f"Times: one solve on the plane grid, the median of {comparison.seconds.runs} by strips."]
     remarks: dict[str, list[str]] = {}
     for quantity in comparison.quantities:
         if quantity.remark is not None:
             remarks.setdefault(str(quantity.remark), []).append(quantity.name)
     lines += [f"{joined(names)}: {remark}." for remark, names in remarks.items()]
     if not comparison.stretches:
-        return [*lines, "Along the line, strips and plane grid differ by less than 1 % everywhere."]
-    lines.append("Along the line, they differ by more than 1 % of the pressure there, most where it says in brackets:")
+        return [*lines, "Along the centre line, strips and plane grid differ by less than 1 % everywhere."]
+    lines.append("Along the centre line, they differ by more than 1 % of the local pressure (in brackets: at most):")
     lines += [f"- {_sentence(stretch)}" for stretch in comparison.stretches]
     (most,) = (station.y for station in comparison.stations if station.reason == LARGEST)
-    return [*lines, f"In MPa and away from the ends they differ most at y = {mm(most):.5g}."]
+    return [*lines, f"Away from the ends, the largest difference in MPa is at y = {mm(most):.5g}."]
 
 
 def _sentence(stretch: Stretch) -> str:

@@ -1,4 +1,4 @@
-"""The films of oil in a bearing, in rows."""
+"""The oil films of a bearing, in rows."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ NO_ROUGHNESS = "give roughness, Rq, of rollers and both rings"
 
 
 def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
-    """Return name, value and remark of the least film, its film parameter, and the oil; why there are none."""
+    """Return name, value and remark of the minimum film, its film parameter, and the oil; without films, the reason."""
     if films is None or films.least is None:
-        return [("least film", "not judged", _why_no_films(case, films))]
+        return [("minimum film", "not judged", _why_no_films(case, films))]
     at = films.least
     roller, ring = at
     place = f"{RINGS[ring]} ring, {films.solution.place_of(roller)}, y = {mm(films.least_film_y[at]):4}"
-    how = "Hamrock and Dowson, of an ellipse" if films.elliptic[at] else "Pan and Hamrock"
+    how = "Hamrock and Dowson, elliptical contact" if films.elliptic[at] else "Pan and Hamrock"
     rows = [
-        ("least film", f"{um(films.least_film[at]):4}", place),
+        ("minimum film", f"{um(films.least_film[at]):4}", place),
         ("", f"{um(films.central_film[at]):4}", f"central film there; both by {how}"),
-        ("", f"{um(films.line_film[at]):4}", "least film there by Dowson and Higginson"),
+        ("", f"{um(films.line_film[at]):4}", "minimum film there by Dowson and Higginson"),
         ("entrainment", _metres(films.entrainment[at]), "mean speed of both surfaces there"),
     ]
     parameter = films.film_parameter
     if parameter is None:
         rows.append(("film parameter", "not judged", NO_ROUGHNESS))
     else:
-        rows.append(("film parameter", format_digits(parameter[at], 3), "lambda: least film over both Rq together"))
+        rows.append(("film parameter", format_digits(parameter[at], 3), "lambda: minimum film over combined Rq"))
     for name, speed in zip(RINGS, films.rib_sliding.tolist(), strict=True):
         if speed > 0.0:
             rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
@@ -47,7 +47,7 @@ def _metres(speed: float) -> str:
 
 
 def _oil_rows(films: Films) -> list[Row]:
-    """Return what is known of the oil."""
+    """Return the row on the oil."""
     oil = films.lubrication
     base = "base oil of the grease" if oil.grease else "oil"
     named = f"{oil.oil or base} at {format_input(oil.temperature)} °C" if oil.temperature is not None else base

@@ -1,4 +1,4 @@
-"""Friction of a bearing, its thermal speed rating, and the limits that makers publish, in rows."""
+"""Friction of a bearing, its thermal speed rating, and the limits that manufacturers publish, in rows."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from nonhertz.show.sections import Row
 
 _NAMES = {
     "rib-limit": "axial load on ribs",
-    "least-load": "least load",
-    "hoop-stress": "stress of rings",
+    "least-load": "minimum load",
+    "hoop-stress": "hoop stress of rings",
     "speed": "speed",
     "preload-lost": "preload",
     "additives": "additives",
@@ -19,13 +19,13 @@ _NAMES = {
 
 
 def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
-    """Return name, value and remark of torque, power and thermal speed; what is missing if they are not known."""
+    """Return name, value and remark of torque, power and thermal speed; if unknown, the missing inputs."""
     row = case.bearing.rows[0].bearing
     missing = [f"bearing.{name}" for name in ("series", "bore", "outside_diameter") if getattr(row, name) is None]
     missing += [] if case.prescribed.speed else ["load.speed"]
     missing += [] if case.lubrication.in_place.viscosity else ["an oil in [lubrication]"]
     friction, limit = case.friction(solution), case.thermal_speed
-    rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "none published for such rows")]
+    rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "no published factors")]
     if friction is not None:
         rows = [
             ("friction torque", f"{newton_mm(friction.torque):3}", "empirical, after Palmgren"),
@@ -42,6 +42,6 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
 
 
 def limit_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
-    """Return how the bearing compares with what makers publish: name, whether it is met, and the sentence."""
+    """Return the limits of manufacturers: name, whether the limit is met, and the sentence."""
     words = {True: "met", False: "not met", None: "not judged"}
     return [(_NAMES[limit.kind], words[met], str(limit)) for met, limit in case.limits(solution)]

@@ -1,4 +1,4 @@
-"""The numbers that are looked for first, on top of a page or a report."""
+"""The key figures at the top of a page or a report."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ from nonhertz.subsurface import Extreme
 
 @dataclass(frozen=True)
 class KeyNumber:
-    """A number that is looked for first.
+    """A key figure.
 
     Attributes
     ----------
     name : str
-        What it is.
+        Name of the quantity.
     amount : Amount
         One value.
     where : str
-        Where or how it is found.
+        Place or basis of the value.
     spec : str
-        Its digits, as an `Amount` takes them.
+        Format of the value, as an `Amount` takes it.
     under : float or None
-        The load without which it compares with no other.
+        The load under which alone the value can be compared with others; None for any.
     """
 
     name: str
@@ -53,13 +53,13 @@ class KeyNumber:
 
     @property
     def shown(self) -> tuple[str, str]:
-        """Number and unit as they are read; a dash if there is no number."""
+        """Number and unit as text; a dash if there is no number."""
         ([value], unit) = self.amount.apart(self.spec)
         return (value, unit) if math.isfinite(self.amount.values[0]) else ("–", "")
 
 
 def contact_numbers(case: Case, solution: Solution, complaint: str) -> list[KeyNumber]:
-    """Return the numbers of a contact, with its life unless there is a complaint that it is not solved."""
+    """Return the key figures of a contact, with its life unless a complaint says that it is not solved."""
     names = ("max_pressure", "approach", "penetration", "load", "tilt", "moment", "max_half_width")
     pressure, approach, penetration, load, tilt, moment, half_width = (
         QUANTITIES[name].amount(float(QUANTITIES[name].clean(solution))) for name in names
@@ -69,7 +69,7 @@ def contact_numbers(case: Case, solution: Solution, complaint: str) -> list[KeyN
         tilted += f", {penetration:4} after first touch"
     away = "largest, away from singular ends" if unlimited_ends(solution) else "largest"
     return [
-        KeyNumber("Largest pressure", pressure, where_largest(solution, 3)),
+        KeyNumber("Maximum pressure", pressure, where_largest(solution, 3)),
         KeyNumber("Approach", approach, tilted),
         KeyNumber("Load", load, f"moment {moment:3}"),
         KeyNumber("Half-width", half_width, away),
@@ -78,10 +78,9 @@ def contact_numbers(case: Case, solution: Solution, complaint: str) -> list[KeyN
 
 
 def _life(case: Case, solution: Solution) -> list[KeyNumber]:
-    """Return how long a contact lasts under its load by laminae, of the body that has a raceway, else of body a.
+    """Return the life of a contact by laminae, of the body with a raceway, else of body a; none if not of a bearing.
 
-    In revolutions where there is a rating, else over that of an even pressure under the same load, which rises where
-    the load does. There is none but of the parts of a rolling bearing.
+    It is in revolutions if there is a rating, else relative to that under an even pressure of the same load.
     """
     if not (of_rolling_bearing(case.contact) and solution.contact_y):
         return []
@@ -89,7 +88,7 @@ def _life(case: Case, solution: Solution) -> list[KeyNumber]:
         life = life_of(case, solution, LIFE_MODEL)
     except NonhertzError:
         return []
-    # What a life adds to the warnings of its solution is that the damage grows without limit towards sharp ends.
+    # The only warning that a life adds to those of its solution is of unbounded damage towards sharp ends.
     left_out = "" if set(life.warnings) <= set(solution.warnings) else ", sharp ends not counted"
     model = f"ISO/TS 16281, body {life.body}{left_out}"
     if life.million_revolutions is not None:
@@ -98,14 +97,14 @@ def _life(case: Case, solution: Solution) -> list[KeyNumber]:
 
 
 def stress_number(body: str, largest: Extreme, *, searched: bool) -> KeyNumber:
-    """Return the largest von Mises stress of a body, of all of it or of the plane below the largest pressure alone."""
+    """Return the largest von Mises stress in all of a body, or only in the plane below the maximum pressure."""
     bore = "at the bore, " if largest.at_bore else ""
-    place = f"{bore}y = {mm(largest.y):3}, {mm(largest.z):3} deep" if searched else "below the largest pressure"
+    place = f"{bore}y = {mm(largest.y):3}, {mm(largest.z):3} deep" if searched else "below the maximum pressure"
     return KeyNumber("von Mises stress", mpa(largest.max), f"body {body}, {place}")
 
 
 def bearing_numbers(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> list[KeyNumber]:
-    """Return the numbers of a loaded bearing; without a pressure by slices."""
+    """Return the key figures of a loaded bearing; by slices there is no pressure."""
     most = most_loaded(solution)
     load = float(solution.load[most].max())
     angle = f"roller {most + 1} at {math.degrees(solution.angle[most]):.1f}°" if load > 0.0 else ""
@@ -116,7 +115,7 @@ def bearing_numbers(case: BearingCase, solution: BearingSolution, life: BearingL
     return [
         _pressure(solution),
         *(() if life is None else _ratings(case, life, solution.method)),
-        *(() if clearance is None else (KeyNumber("Clearance in operation", um(clearance.clearance), "radial"),)),
+        *(() if clearance is None else (KeyNumber("Operating clearance", um(clearance.clearance), "radial"),)),
         KeyNumber("Largest roller load", newton(load), angle, "4g"),
         KeyNumber("Loaded rollers", loaded, spec="4g"),
         KeyNumber("Displacement", um(math.hypot(*across)), moved),
@@ -125,16 +124,16 @@ def bearing_numbers(case: BearingCase, solution: BearingSolution, life: BearingL
 
 def _pressure(solution: BearingSolution) -> KeyNumber:
     if solution.method == "slices" or not solution.load.any():
-        return KeyNumber("Largest pressure", mpa(math.nan), "by strips only" if solution.method == "slices" else "")
+        return KeyNumber("Maximum pressure", mpa(math.nan), "by strips only" if solution.method == "slices" else "")
     roller, ring = np.unravel_index(int(np.argmax(solution.max_pressure)), solution.load.shape)
     where = f"roller {roller + 1}, {RINGS[ring]} ring"
-    return KeyNumber("Largest pressure", mpa(float(solution.max_pressure[roller, ring])), where)
+    return KeyNumber("Maximum pressure", mpa(float(solution.max_pressure[roller, ring])), where)
 
 
 def _ratings(case: BearingCase, life: BearingLife, method: str) -> list[KeyNumber]:
     """Return life, in hours where the speed is known, static safety, and the viscosity ratio with the cleanliness."""
     kappa = life.viscosity_ratio
-    # That the cleanliness is missing is said beside the viscosity ratio.
+    # A missing cleanliness is named beside the viscosity ratio.
     how = life.no_modified if life.no_modified and kappa is None else f"by {method}"
     revolutions, name = life.rated_life, "Rated life" if life.no_modified else "Modified life"
     shown = KeyNumber(name, amount(revolutions, "10⁶ rev"), how, "3")

@@ -19,15 +19,15 @@ _IDEAL = (
     "they can touch."
 )
 RATIO = (
-    "The factor after × is the ratio to the life in the first column. Ratios are those of passes of a roller: where "
-    "the cases differ in rings or in the number of rollers, compare their L10."
+    "The factor after × is the ratio to the life in the first column. Ratios are those of roller passes: if the rings "
+    "or the number of rollers differ, compare L10."
 )
-_HEADS = ("", "life against ideal profile: a", "b", "L10 [10^6 rev]")
+_HEADS = ("", "life relative to ideal profile: a", "b", "L10 [10^6 rev]")
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 
 def sections(assessment: Assessment) -> list[Section]:
-    """Return what is shown of the lives of a case: by each model both lives, revolutions and what is integrated."""
+    """Return the section on the lives of a case: for each model both lives, revolutions and the damage integral."""
     rows = [
         (life.model.name, *_lives(assessment, number), _integrand(life.model))
         for number, life in enumerate(assessment.lives["a"])
@@ -53,7 +53,7 @@ def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Sectio
     without = dict.fromkeys(
         words for assessment in others if first and assessment for words in _without_ratio(assessment, first)
     )
-    table = replace(beside(rows, labels, "Life relative to the ideal one"), remarks="ratio")
+    table = replace(beside(rows, labels, "Life relative to ideal profile"), remarks="ratio")
     return Section("Lives", [table, Notes([RATIO, *without])])
 
 
@@ -66,11 +66,11 @@ def _beside_first(assessment: Assessment | None, first: Assessment | None, body:
 
 
 def sentences(assessment: Assessment) -> list[str]:
-    """Return what the reader needs to know to interpret the numbers."""
+    """Return notes for the interpretation of the numbers."""
     lines = [_IDEAL]
     lives = [life for body in BODIES for life in assessment.lives[body]]
     if any(math.isnan(life.reference) for life in lives):
-        lines.append("none: the bodies can touch over an unlimited length, along which no load can be spread evenly.")
+        lines.append("none: the bodies can touch over an unlimited length, so no load can be spread evenly.")
     elif any(math.isnan(life.relative_life) for life in lives):
         lines.append("none: there is no damage, not even under the ideal pressure.")
     if any(life.relative_life == 0.0 for life in lives):
@@ -79,29 +79,29 @@ def sentences(assessment: Assessment) -> list[str]:
 
 
 def _explain_revolutions(assessment: Assessment) -> list[str]:
-    """Return what L10 is the life of, or why there is none in revolutions."""
+    """Return the meaning of L10, or why there is no life in revolutions."""
     if all(assessment.million_revolutions(number) is None for number in range(len(assessment.lives["a"]))):
         lives = assessment.lives[assessment.raceway or "b"]
         reasons = dict.fromkeys(life.no_revolutions for life in lives if life.model.name in RATED)
         return [f"No life in revolutions: {reason}." for reason in reasons]
-    rollers = "its one roller carries" if assessment.rollers == 1 else f"all {assessment.rollers} rollers carry"
+    rollers = "its one roller is" if assessment.rollers == 1 else f"all {assessment.rollers} rollers are"
     load = "this load" if len(assessment.spectrum) == 1 else "these loads"
-    return [f"L10 is the life of the ring, body {assessment.raceway}, that 90 % reach where {rollers} {load}."]
+    return [f"L10 is the life that 90 % of rings, body {assessment.raceway}, reach if {rollers} under {load}."]
 
 
 def _of_dents(assessment: Assessment) -> list[str]:
-    """Return by how much dents shorten the life, in a sentence, if there are any."""
+    """Return a sentence on the life with dents, if there are any."""
     if assessment.dent is None:
         return []
     per_area, dents = assessment.dents.get("per_area"), assessment.dents.get("dents", 1)
     number = (
-        f"{dents:g} dent{'s' * (dents != 1)}" if per_area is None else f"{per_area:.4g} dents on a square millimetre"
+        f"{dents:g} dent{'s' * (dents != 1)}" if per_area is None else f"{per_area:.4g} dents per square millimetre"
     )
     lives = ", ".join(f"{of_life(life)} ({name})" for name, life in assessment.dent_lives.items())
-    verb = "leaves" if (per_area, dents) == (None, 1) else "leave"
-    lines = [f"{number} in the raceway of body {assessment.dent.body} {verb} this part of its life: {lives}."]
+    verb = "reduces" if (per_area, dents) == (None, 1) else "reduce"
+    lines = [f"{number} in the raceway of body {assessment.dent.body} {verb} its life to this fraction: {lives}."]
     if any(getattr(life.model, "stress", "") == "orthogonal_shear" for life in assessment.lives["b"]):
-        lines.append("The range of the orthogonal shear hardly sees dents: judge them by models of maximum shear.")
+        lines.append("Dents hardly change the range of the orthogonal shear: judge them by models of maximum shear.")
     return lines
 
 
@@ -109,19 +109,19 @@ def _without_ratio(assessment: Assessment, other: Assessment) -> list[str]:
     """Return why lives by the lamina model cannot be compared, if they cannot."""
     names = [life.model.name for life in assessment.lives["b"]]
     if "iso-16281" in names and math.isnan(assessment.over(other, "b", names.index("iso-16281"))):
-        return ["No ratio by iso-16281: laminae of a raceway are not compared with those of a contact without one."]
+        return ["No ratio by iso-16281: laminae of a raceway cannot be compared with those of a contact without one."]
     return []
 
 
 def loads_table(assessment: Assessment) -> Table:
-    """Return share, load, tilt, largest pressure and verdict of every load."""
+    """Return share, load, tilt, maximum pressure and verdict of every load."""
     solutions = [solution for solution, _ in assessment.spectrum]
     loads, pressures = (
         newton(*(solution.load for solution in solutions)),
         mpa(*(solution.max_pressure for solution in solutions)),
     )
     tilts = mrad(*(solution.tilt for solution in solutions))
-    heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"largest p0 [{pressures.scale[1]}]", "")
+    heads = ("share", f"load [{loads.scale[1]}]", "tilt [mrad]", f"maximum p0 [{pressures.scale[1]}]", "")
     columns = (amounts.apart()[0] for amounts in (loads, tilts, pressures))
     rows: list[tuple[str, ...]] = [
         (
@@ -143,14 +143,14 @@ def _lives(assessment: Assessment, number: int) -> tuple[str, ...]:
 
 
 def of_life(value: float, unit: str = "") -> str:
-    """Return a life in words, with its unit; none where there is no number, and where there is no damage."""
+    """Return a life in words, with its unit; "none" for NaN, "no damage" for infinity."""
     if math.isnan(value):
         return "none"
     return f"{format_digits(value, 4)}{unit}" if math.isfinite(value) else "no damage"
 
 
 def _integrand(model: Model) -> str:
-    """Return what is integrated over the volume, or how laminae are loaded, with Weibull's slope."""
+    """Return the integrand over the volume, or the loads of the laminae, with Weibull's slope."""
     slope = f"e = {model.slope:.4g}"
     if not isinstance(model, VolumeModel):
         edges = {"pressure": "edges as solved", "standard": "edges of the standard", "none": "no edges"}

@@ -1,4 +1,4 @@
-"""A measured profile in rows: what each step did to it, its relief and roughness, and the profiles fitted to it."""
+"""A measured profile in rows: the effect of each step, its relief and roughness, and the profiles fitted to it."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from nonhertz.amounts import mm, of_dimension, um, with_error
 from nonhertz.measured import Measured, ProfileFit
 from nonhertz.show.sections import Notes, Row, Section, Table, summary
 
-# An error of a length [mm] and of so many times the value: of "0 +- 28000 mm" nothing is known.
+# Larger errors, in mm and relative to the value, mean that a parameter is not determined, as in "0 +- 28000 mm".
 _METRES, _SWALLOWED = 1e3, 10.0
 _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 
 def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Section]:
-    """Return what is shown of a measured profile and of profiles fitted to it, best first."""
+    """Return the sections on a measured profile and on the profiles fitted to it, best first."""
     fitted = []
     for fit in fits:
         names = [*fit.parameters, *(["shift"] if "shift" in fit.standard_errors else [])]
@@ -51,6 +51,6 @@ def _parameter(fit: ProfileFit, name: str) -> str:
     unit = fit.unit_of(name)
     error = fit.standard_errors.get(name)
     if error is not None and not error < max(_METRES, _SWALLOWED * abs(value)):
-        return f"{name} not determined by the points"  # any value fits as well
+        return f"{name} not determined by the points"  # any value fits equally well
     shown = of_dimension((value,), unit)
     return f"{name} {shown if error is None else with_error(shown, error)}"

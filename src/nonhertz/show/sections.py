@@ -1,6 +1,6 @@
-"""What is shown of any result: sections of tables, sentences and figures, which terminal and report lay out.
+"""Sections of tables, sentences and figures, in which all results are shown in a terminal and in reports.
 
-One function for each kind of result yields them. Whoever lays them out knows tables, and nothing of contacts.
+One function for each kind of result makes them. The layout depends on tables only, not on contacts.
 """
 
 from __future__ import annotations
@@ -14,21 +14,21 @@ from nonhertz.findings import Finding
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: Name, value and remark; one without a name continues the row before.
+#: Name, value and remark; a row without a name continues the one before.
 Row = tuple[str, str, str]
 SUMMARY: Final = "summary"
-"""How a table of such rows is laid out on a page."""
+"""The layout of a table of such rows."""
 
 
 class Cell(NamedTuple):
-    """A cell with a remark, which stands below it in small letters."""
+    """A cell with a remark, which is shown below it in small letters."""
 
     text: str
     remark: str = ""
 
 
 class Block:
-    """Something that stands below a heading."""
+    """A part of a section."""
 
 
 @dataclass(frozen=True)
@@ -38,21 +38,21 @@ class Table(Block):
     Attributes
     ----------
     rows : sequence of sequences of str or Cell
-        A row of one cell is a heading, or a remark on the row before if the cell has nothing else.
+        A row of one cell is a heading, or, if the cell has only a remark, a remark on the row before.
     heads : sequence of str
-        Of the columns; empty for none.
+        Headings of the columns; empty for none.
     words : sequence of int or None
-        Columns of words, which stand to the left; None for all.
+        Columns of words, aligned left; None for all.
     layout : str
-        Class by which a page lays it out.
+        Its CSS class on a page.
     title : str
         Its caption on a page.
     room : int
-        Columns of a terminal for the words of the second column at least, which alone may be broken; 0 for no such.
+        Least width in a terminal of the second column, the only one whose words may be broken; 0 for no such column.
     folded : str
-        What a page shows in place of it until it is unfolded; empty if it is open.
+        Text that a page shows until the table is unfolded; empty if it is always open.
     remarks : str
-        Head of the remarks on cells where they have a column of their own, in a terminal.
+        Heading of the remarks on cells, which have columns of their own in a terminal.
     """
 
     rows: Sequence[Sequence[str | Cell]]
@@ -96,9 +96,9 @@ class Picture(Block):
     figure : matplotlib.figure.Figure
         The figure.
     caption : str
-        What it shows.
+        Its caption.
     description : str
-        Its numbers, for those who do not see it.
+        Its numbers in words, for readers who cannot see it.
     """
 
     figure: Figure
@@ -107,21 +107,21 @@ class Picture(Block):
 
 
 class Section(NamedTuple):
-    """A heading, empty where none is due, and what stands below it."""
+    """A heading, which may be empty, and the blocks below it."""
 
     title: str
     blocks: Sequence[Block]
 
 
 def assumed_rows(findings: Iterable[Finding]) -> list[Row]:
-    """Return what is assumed, for what is not given, and what it decides."""
+    """Return the assumed values, the keys that are not given, and the results that they affect."""
     assumptions = [dict(finding.numbers) for finding in findings]
     rows = [(numbers["default"], f"for {numbers['keys']}; decides {numbers['decides']}") for numbers in assumptions]
     return [("" if number else "assumed", *row) for number, row in enumerate(rows)]
 
 
 def assumed_section(findings: Iterable[Finding]) -> Section:
-    """Return what is assumed as a section by itself; an empty one if nothing is."""
+    """Return the assumed values as a section, which is empty if there are none."""
     rows = assumed_rows(findings)
     return Section("", [summary(rows)] if rows else [])
 
@@ -138,13 +138,13 @@ def rows_of_summaries(sections: Iterable[Section]) -> list[Row]:
 
 
 def with_columns_of_remarks(table: Table) -> Table:
-    """Return a table that has the remarks on cells in columns of their own, on the right of these cells."""
+    """Return a table with the remarks on cells in columns of their own, to the right of these cells."""
     if not table.remarks:
         return table
     remarked = {at for row in table.rows for at, cell in enumerate(row) if isinstance(cell, Cell) and cell.remark}
 
     def spread(cells: Sequence[str | Cell], remark: str) -> list[str]:
-        """Return cells of text; where one has no remark, ``remark`` is in its place."""
+        """Return cells of text; ``remark`` replaces a missing remark."""
         made = []
         for at, cell in enumerate(cells):
             text, note = cell if isinstance(cell, Cell) else (cell, remark)

@@ -1,7 +1,7 @@
 """From a case to its solution.
 
 Shared by the command line, reports and the page. Errors name the key of the case file. Python warnings are suppressed,
-since the solution carries them as sentences.
+since the solution contains them as sentences.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def solve_case(case: Case) -> Solution:
 
 
 def try_solve(case: Case) -> tuple[Solution, str]:
-    """Return the solution of a case, or the state in which the solver stopped, and why; empty if it converged.
+    """Return the solution of a case and "", or the state in which the solver stopped and the reason.
 
     Raises
     ------

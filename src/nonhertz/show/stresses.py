@@ -13,7 +13,7 @@ from nonhertz.subsurface import Extreme, Extremes
 
 
 def sections(solution: Solution, overall: Extremes, section: Extremes, strengths: Iterable[Strength]) -> list[Section]:
-    """Return what is shown of the largest stresses, and whether the bodies bear them."""
+    """Return the section on the largest stresses, and whether the bodies withstand them."""
     borne = [sentence for strength in strengths for sentence in strength.sentences]
     blocks = [
         stress_table(solution, overall, section),
@@ -47,7 +47,7 @@ def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Ta
 
 
 def sentences(solution: Solution, section: Extremes) -> list[str]:
-    """Return what the reader needs to know about the body and the cross-section to interpret the numbers."""
+    """Return notes on the body and the cross-section for the interpretation of the numbers."""
     y, shear = section.von_mises.y, section.orthogonal_shear
     pressure, half_width = (
         at_station(solution, values, y) for values in (solution.centre_pressure, solution.half_width)
@@ -56,5 +56,5 @@ def sentences(solution: Solution, section: Extremes) -> list[str]:
     return [
         f"Body {section.body} has a Poisson's ratio of {poisson(solution, section.body):g}. At y = {mm(y):.5g} "
         f"{contact if pressure > 0.0 else 'there is no contact'}.",
-        f"While the load rolls over it there, tau_xz at z = {mm(shear.z)} has a range of {mpa(2.0 * shear.max)}.",
+        f"During a pass of the load, tau_xz there at z = {mm(shear.z)} has a range of {mpa(2.0 * shear.max)}.",
     ]

@@ -1,4 +1,4 @@
-"""Studies in rows: what was varied, between which numbers the results lie, and why rows have failed."""
+"""Studies in rows: the varied inputs, the ranges of the results, and why rows have failed."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
 
 MOST_LISTED = 12  # rows of a sweep that are listed one by one
-STEPS_LISTED = 10  # from row to row of a diagram
+STEPS_LISTED = 10  # between the rows of a diagram that are listed
 
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
-    """Return what is shown of a sweep: what was varied, all rows if they are few, else their extremes, and failures."""
+    """Return the sections on a sweep: its inputs, all rows if they are few, else their extremes, and failures."""
     results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else _extremes(sweep)
     return [
         Section("", [Notes([_counted(sweep)])]),
@@ -36,7 +36,7 @@ def sweep_sections(sweep: Sweep) -> list[Section]:
 
 
 def _extremes(sweep: Sweep) -> Table:
-    """Return the smallest and the largest number of every quantity."""
+    """Return the smallest and the largest value of every quantity."""
     rows = []
     for quantity, extremes in _numbers(sweep):
         (low, high), unit = quantity.amount(*extremes).apart()
@@ -45,7 +45,7 @@ def _extremes(sweep: Sweep) -> Table:
 
 
 def _each_row(sweep: Sweep) -> Table:
-    """Return a column for every row of a sweep: the values of its paths, and its numbers, blank where it has failed."""
+    """Return a column for every row of a sweep: the values of its inputs, and its results, blank if it has failed."""
     rows: list[tuple[str, ...]] = []
     for path in sweep.paths:
         values = sweep[path].ravel().tolist()
@@ -67,7 +67,7 @@ def _each_row(sweep: Sweep) -> Table:
 
 
 def diagram_sections(diagram: Diagram) -> list[Section]:
-    """Return what is shown of a diagram: where the life is longest, and some of its rows."""
+    """Return the sections on a diagram: where the life is longest, and some of its rows."""
     sweep, unit = diagram.sweep, diagram.sweep.unit(diagram.path)
     rows: list[Row] = [(diagram.path, f"{of_dimension(diagram.values[[0, -1]].tolist(), unit):g}", _counted(sweep))]
     if diagram.present is not None:
@@ -91,13 +91,13 @@ def diagram_sections(diagram: Diagram) -> list[Section]:
 
 
 def _column(numbers: Amount, rows: NDArray[np.intp]) -> list[str]:
-    """Return some of many numbers, in the unit that suits all of them; blank where there is none."""
+    """Return the numbers of some rows, in the unit that suits all rows; blank where there is none."""
     chosen = np.asarray(numbers.values)[rows] * numbers.scale[0]
     return ["" if math.isnan(value) else format_input(value, 4) for value in chosen.tolist()]
 
 
 def tolerance_sections(study: Tolerance) -> list[Section]:
-    """Return what is shown of a tolerance study: what is distributed, quantiles, what matters, and why rows failed."""
+    """Return the sections on a tolerance study: distributions, quantiles, influences, and why rows have failed."""
     sweep = study.sweep
     shown = [quantity for quantity, _ in _numbers(sweep) if quantity in study.main]
     others = [
@@ -115,13 +115,13 @@ def tolerance_sections(study: Tolerance) -> list[Section]:
     blocks: list[list[Block]] = [[study_table] for study_table in tables if study_table.rows]
     words: Block = Notes([f"{_counted(sweep)}; {study.independent.size} independent samples"])
     if others:
-        blocks.append([Notes([f"In tolerance.json, too: {', '.join(others)}."])])
+        blocks.append([Notes([f"Also in tolerance.json: {', '.join(others)}."])])
     blocks[-1:] = [[*blocks[-1], Notes(_failures(sweep), "warning")]]
     return [Section("", section_blocks) for section_blocks in [[words], *blocks]]
 
 
 def design_sections(design: Design) -> list[Section]:
-    """Return what is shown of a design: the goal before and after, what is best, how flat that is, and the searches."""
+    """Return the sections on a design: the goal before and after, the optimum and how flat it is, and the searches."""
 
     def read(path: str, value: float) -> str:
         return f"{of_dimension([value], design.units.get(path, '')):4}"
@@ -141,8 +141,8 @@ def design_sections(design: Design) -> list[Section]:
         starts.append((value, f"{len(start.history)} points", all_of(start.begun), all_of(start.ended)))
     tables = [
         summary(_best(design, read)),
-        Table(bands, ("as good within", "from", "to", "")),
-        Table(starts, ("searches", "looked at", "from", "to")),
+        Table(bands, ("equally good within", "from", "to", "")),
+        Table(starts, ("searches", "evaluations", "from", "to")),
     ]
     return [Section("", [study_table]) for study_table in tables if study_table.rows]
 
@@ -161,7 +161,7 @@ def _counted(sweep: Sweep) -> str:
 
 
 def _varied(sweep: Sweep) -> Iterator[Row]:
-    """Yield path, what it runs over as a plan has it in units that people read, and how many values those are."""
+    """Yield path and range as in a plan, in readable units, and the number of values."""
     for path, spread in sweep.plan.spreads.items():
         unit = sweep.unit(path)
         if isinstance(spread, Distribution):
@@ -176,7 +176,7 @@ def _varied(sweep: Sweep) -> Iterator[Row]:
 
 
 def _quantiles(study: Tolerance, spread: Sequence[Quantity]) -> Table:
-    """Return several rows for every quantity."""
+    """Return quantiles with their intervals, several rows for every quantity."""
     rows: list[tuple[str, ...]] = []
     for quantity in spread:
         label, quantiles = quantity.label, study.quantiles(quantity.name)
@@ -184,14 +184,14 @@ def _quantiles(study: Tolerance, spread: Sequence[Quantity]) -> Table:
         texts, unit = quantity.amount(*numbers).apart()
         for k, quantile in enumerate(quantiles):
             low, value, high = texts[3 * k : 3 * k + 3]
-            between = f"{low} to {high}" if math.isfinite(quantile.low + quantile.high) else "too few samples to say"
+            between = f"{low} to {high}" if math.isfinite(quantile.low + quantile.high) else "too few samples"
             rows.append((label, f"{100.0 * quantile.probability:g} %", value, unit, between))
             label = ""
-    return Table(rows, ("", "share", "below", "", "95 % certain between"), (0, 3, 4))
+    return Table(rows, ("", "fraction", "below", "", "95 % confidence interval"), (0, 3, 4))
 
 
 def _capabilities(study: Tolerance) -> Table:
-    """Return a row for every limit: the share beyond it with its interval, Cpk, and the share if it were normal."""
+    """Return a row for every limit: the fraction beyond it with its interval, Cpk, and the fraction if normal."""
     labels, rows = {quantity.name: quantity for quantity in study.main}, []
     for capability in study.capabilities:
         quantity = labels[capability.quantity]
@@ -201,20 +201,20 @@ def _capabilities(study: Tolerance) -> Table:
         )
         limit = f"{capability.kind} {quantity.amount(capability.limit):g}"
         rows.append((quantity.label, limit, share, f"{low} to {high}", f"{capability.cpk:.2f}", normal))
-    return Table(rows, ("limit", "", "beyond", "95 % certain between", "Cpk", "beyond if normal"), (0, 1, 3))
+    return Table(rows, ("limit", "", "beyond", "95 % confidence interval", "Cpk", "beyond if normal"), (0, 1, 3))
 
 
 def _strained(sweep: Sweep) -> Iterator[Row]:
-    """Yield how far the rows are to be trusted."""
+    """Yield the estimated errors and strained conditions of the rows."""
     for quantity, (_, largest) in _numbers(sweep):
         if quantity.name == "error" and error_words(largest):
             yield "approach or load", error_words(largest), "at most"
         elif quantity.name == "warnings" and largest > 0.0:
-            yield quantity.label, format_input(largest), "at most; a sweep over the same samples says which"
+            yield quantity.label, format_input(largest), "at most; a sweep over the same samples shows which"
 
 
 def _indices(study: Tolerance, results: Sequence[Quantity]) -> Iterator[Table]:
-    """Yield for every result what its variance is due to, most important first, and which tolerance to tighten."""
+    """Yield the influences on the variance of every result, largest first, and which tolerance to tighten."""
     for quantity in results:
         first = study.tightened_first.get(quantity.name, ())
         mark = "tighten this first" if len(first) == 1 else "tighten one of these first"
@@ -254,10 +254,10 @@ def _ends(spread: Spread, unit: str) -> str:
 
 
 def _best(design: Design, read: Callable[[str, float], str]) -> Iterator[Row]:
-    """Yield the goal before and after, what is best, and the worst load."""
+    """Yield the goal before and after, the best values, and the worst load."""
     if design.goal == "pressure":
         before = f"{mpa(design.before)}" if math.isfinite(design.before) else "no solution"
-        yield "largest pressure", f"{mpa(design.value)}", f"before: {before}"
+        yield "maximum pressure", f"{mpa(design.value)}", f"before: {before}"
     else:
         yield "life", f"{format_digits(design.value)} times that before", ""
     for path, value in design.values.items():

@@ -18,22 +18,19 @@ if TYPE_CHECKING:
     from nonhertz.files.casefile import Case
     from nonhertz.files.several import Attempt
 
-_TITLE = 30  # columns at least for a title
-#: Quantities in the order in which a summary is read; the others follow.
+_TITLE = 30  # columns, at least, for a title
+#: The first quantities of a summary, in order; the others follow.
 _FIRST = ("max_pressure", "contact_length", "max_half_width", "load", "tilt", "approach", "penetration", "moment")
 _OVERVIEW = ("load", "max_pressure", "approach", "max_half_width", "contact_length")
 
 
 def sections(solution: Solution, case: Case) -> list[Section]:
-    """Return what is shown of a solution."""
+    """Return the sections on a solution."""
     return [Section("Results", [summary(summary_rows(solution, case))])]
 
 
 def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
-    """Return name, value and remark of all in the summary: what is read first, how it was obtained last.
-
-    Quantities that were given are marked as such.
-    """
+    """Return name, value and remark of a summary: key figures first, the method last; given quantities are marked."""
     shows_penetration = is_noticeable(solution.approach, solution.penetration)
     remarks = _remarks(solution, case, shows_penetration)
     rows = [("status", solution.status.label, "")]
@@ -52,9 +49,9 @@ def summary_rows(solution: Solution, case: Case | None = None) -> list[Row]:
 
 
 def _remarks(solution: Solution, case: Case | None, shows_penetration: bool) -> dict[str, tuple[str, str]]:
-    """Return by quantity its remark and the format of its value."""
+    """Return remark and format of quantities, by name."""
     estimate = solution.error_estimate
-    # The error is that of the penetration, which is nearly the approach where it is not shown.
+    # The error is that of the penetration; if that is not shown, it nearly equals the approach.
     errors = {"penetration" if shows_penetration else "approach": estimate.approach, "load": estimate.load}
     remarks = {name: (error_words(error), worth_reading(error)) for name, error in errors.items()}
     remarks |= dict.fromkeys(case.prescribed.keywords if case else (), ("given", "g"))
@@ -102,7 +99,7 @@ def _pressure_rows(solution: Solution) -> list[Row]:
     error = solution.error_estimate.max_pressure
     remark, spec = error_words(error), worth_reading(error)
     if solution.peaks_at_corner:
-        remark = "no limit, at a corner of the profile"
+        remark = "unbounded, at a corner of the profile"
     elif any(
         edge.kind is EdgeKind.CUT_OFF and abs(edge.y - solution.max_pressure_y) <= edge.strip_width
         for edge in solution.edge_pressure
@@ -114,7 +111,7 @@ def _pressure_rows(solution: Solution) -> list[Row]:
 
 
 def end_words(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
-    """Return the pressure where a contact ends, and what to know about it."""
+    """Return the pressure at an end of a contact, and a remark."""
     match edge.kind:
         case EdgeKind.RUN_OUT:
             return "runs out", ""
@@ -124,12 +121,12 @@ def end_words(edge: EdgePressure, solution: Solution) -> tuple[str, str]:
         case EdgeKind.SINGULAR:
             return "singular", edge.law
         case EdgeKind.CORNER:
-            return "no limit", "at a corner of the profile"
+            return "unbounded", "at a corner of the profile"
         case EdgeKind.CUT_OFF:
             return f"{mpa(edge.pressure)}", "cut off by the strips"
 
 
-# Quantities that need more than a row of their own, or that another row covers.
+# Quantities with more than one row, or covered by another row.
 _ROWS: dict[str, Callable[[Solution], list[Row]]] = {
     "max_pressure": _pressure_rows,
     "max_pressure_y": lambda _: [],
