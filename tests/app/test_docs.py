@@ -97,9 +97,9 @@ def test_how_to_shows_what_happens(page, tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert "```python" not in text, "write ```pycon, with what it prints"
     blocks = re.findall(r"^```pycon\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
-    # Blocks go on where the one before stopped; a blank line ends what is printed.
+    # Blocks go on where the one before stopped; a blank line ends what is printed, dots stand for lines not shown.
     test = doctest.DocTestParser().get_doctest("\n".join(blocks), {}, page.stem, str(page), 0)
-    runner = doctest.DocTestRunner(optionflags=doctest.REPORT_ONLY_FIRST_FAILURE)
+    runner = doctest.DocTestRunner(optionflags=doctest.REPORT_ONLY_FIRST_FAILURE | doctest.ELLIPSIS)
     said = []
     with warnings.catch_warnings():
         # A reader would see warnings that the page does not show.
