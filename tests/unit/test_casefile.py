@@ -393,10 +393,11 @@ def test_the_reference_names_the_parameters_of_every_profile():
         assert named - allowed == inspect.signature(function).parameters.keys()
 
 
-def test_the_reference_s_example_is_sound(tmp_path):
+def test_the_reference_s_examples_are_sound(tmp_path):
     page = (DOCS / "case-file.md").read_text(encoding="utf-8")
-    for text in re.findall(r"```toml\n(.*?)```", page, re.DOTALL):
-        assert read(tmp_path, text).contact.interval
+    whole, life = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+    assert read(tmp_path, whole).contact.interval
+    assert [case.share for case in read(tmp_path, whole + life).life.spectrum] == [0.2, 0.8]
 
 
 @pytest.mark.parametrize(
