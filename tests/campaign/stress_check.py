@@ -1,8 +1,8 @@
 """A field looked at without the package: point loads, pressures and images worked out here, from arrays alone.
 
-The pressure follows docs/explain/stress.md: semi-ellipses across; along, curves between the centres of the strips that
-bear the load of each. Here it is a function of y that is integrated point by point, with neither pieces nor closed
-forms.
+The pressure follows nonhertz/subsurface/lamination.py: semi-ellipses across; along, curves between the centres of the
+strips that bear the load of each. Here it is a function of y that is integrated point by point, with neither pieces nor
+closed forms.
 """
 
 from itertools import pairwise
