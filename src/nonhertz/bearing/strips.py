@@ -32,7 +32,8 @@ def cut_into_strips(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.
 
 
 def no_solution_error(error: core.Unsolved) -> ConvergenceError:
-    """Return what a contact of a roller without a solution is told as."""
+    """Return the error that says where a roller has no solution, and the way out."""
     approach, tilt = error.args
-    at = f"an approach of {um(approach):.6g} and a tilt of {mrad(tilt):.6g}"
-    return ConvergenceError(f"The contact of a roller at {at} has no solution: is a load too large?", None)
+    at = f"a roller pressed {um(approach):.4g} into its raceway at a tilt of {mrad(tilt):.4g} has no solution"
+    remedy = "give smaller loads or displacements, or check their units"
+    return ConvergenceError(f"The contact of {at}: {remedy}.", None)
