@@ -141,6 +141,17 @@ def test_the_ring_that_stands_still_suffers_more_from_a_load_on_few_rollers():
     assert outer < inner
 
 
+def test_lives_and_films_follow_the_speed_and_the_ring_with_which_a_bearing_was_solved():
+    solution = B.solve(row(), radial=6e3, speed=1500.0, turning="outer", method="slices")
+    life, given = B.assess(solution), B.assess(solution, speed=3000.0)
+    assert (life.speed, given.speed) == (1500.0, 3000.0)
+    assert life.rated_hours == pytest.approx(2.0 * given.rated_hours)
+    films = B.films(solution, lubrication=B.Lubrication(oil="ISO VG 68", temperature=70))
+    assert (films.kinematics.inner_speed, films.kinematics.outer_speed) == (0.0, 1500.0)
+    spectrum = [(solution, 0.5), (B.solve(row(), radial=6e3, method="slices"), 0.5)]
+    assert B.assess(spectrum).speed is None
+
+
 # Spectra
 
 

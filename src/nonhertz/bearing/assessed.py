@@ -315,7 +315,8 @@ def assess(
         or with `shares_of_revolutions`. Shares are taken as they are; where they add up to less than 1, nothing is
         loaded for the rest.
     speed : float or sequence of float, optional
-        [1/min], for a modified life and for lives in hours; of a spectrum one for all loads, or one for each.
+        [1/min], for a modified life and for lives in hours, one for all loads of a spectrum or one for each; if left
+        out, those at which the bearing was solved, where all are known.
     {OilInPlace}
     {LifeConditions}
 
@@ -346,6 +347,8 @@ def assess(
         static=static,
         required=required,
     )
+    if speed is None and all(state.speed for state, _ in pairs):
+        speed = [state.speed for state, _ in pairs]
     _check_oil(conditions, speed, pairs[0][0])
     speeds = _speeds(speed, len(pairs))
     lives = tuple(

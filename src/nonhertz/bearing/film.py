@@ -221,15 +221,17 @@ class Films:
         return values
 
 
-def films(solution: BearingSolution, *, speed: float, lubrication: Lubrication, laminae: int = LAMINAE) -> Films:
+def films(
+    solution: BearingSolution, *, speed: float | None = None, lubrication: Lubrication, laminae: int = LAMINAE
+) -> Films:
     """Return the films between the rollers of a loaded bearing and its rings.
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing.
-    speed : float
-        Speed of the ring that turns [1/min].
+    speed : float, optional
+        Speed of the ring that turns [1/min]; if left out, that at which the bearing was solved.
     lubrication : Lubrication
         The oil.
     laminae : int
@@ -253,6 +255,7 @@ def films(solution: BearingSolution, *, speed: float, lubrication: Lubrication, 
     """
     if not isinstance(solution, BearingSolution):
         raise InputError("solution", solution, "be a solved bearing", "give what nonhertz.bearing.solve returns")
+    speed = solution.speed if speed is None else speed
     positive("speed", speed, "give the speed of the ring that turns in 1/min")
     if not isinstance(lubrication, Lubrication) or lubrication.dynamic_viscosity is None:
         raise InputError(

@@ -99,6 +99,8 @@ class BearingSolution(ReadOnly, HasHtml):
         How its contacts were solved.
     turning : {"inner", "outer"}
         The ring that turns; the other is at rest, and so is the load.
+    speed : float
+        Its speed [1/min], at which lives and films are found unless another is given; 0 if none was.
     angle : ndarray, shape (rollers,)
         Where the rollers are [rad].
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
@@ -128,6 +130,7 @@ class BearingSolution(ReadOnly, HasHtml):
     bearing: RollerBearing | Paired
     method: str
     turning: str
+    speed: float
     angle: Array
     load: Array
     moment: Array
@@ -150,6 +153,7 @@ class BearingSolution(ReadOnly, HasHtml):
         bearing: RollerBearing | Paired,
         method: str,
         turning: str,
+        speed: float,
         states: States,
         roller_load: Array,
         edge: tuple[NDArray[np.int64], Array] | None = None,
@@ -167,6 +171,7 @@ class BearingSolution(ReadOnly, HasHtml):
             bearing=bearing,
             method=method,
             turning=turning,
+            speed=speed,
             angle=np.concatenate([row.bearing.angles for row in bearing.rows]),
             load=np.where(borne, load, 0.0)[:, :2],
             moment=np.where(borne, states.answer[0, ..., 1], 0.0)[:, :2],

@@ -38,6 +38,8 @@ class BearingSolutions(ReadOnly):
         How its contacts were solved.
     turning : {"inner", "outer"}
         The ring that turns.
+    speed : float
+        Its speed [1/min].
     displacement, force : ndarray, shape (..., 5)
         Motions of the inner ring, as in `BearingSolution`.
     stiffness : ndarray, shape (..., 5, 5)
@@ -54,6 +56,7 @@ class BearingSolutions(ReadOnly):
     bearing: RollerBearing | Paired
     method: str
     turning: str
+    speed: float
     displacement: Array
     force: Array
     stiffness: Array
@@ -69,6 +72,7 @@ class BearingSolutions(ReadOnly):
         bearing: RollerBearing | Paired,
         method: str,
         turning: str,
+        speed: float,
         states: States,
         roller_load: Array,
         shape: tuple[int, ...],
@@ -81,6 +85,7 @@ class BearingSolutions(ReadOnly):
             bearing=bearing,
             method=method,
             turning=turning,
+            speed=speed,
             displacement=states.ring.reshape(*shape, 5),
             force=states.force.reshape(*shape, 5),
             stiffness=states.stiffness.reshape(*shape, 5, 5),
@@ -107,7 +112,7 @@ class BearingSolutions(ReadOnly):
         if not self.converged[number]:
             raise ConvergenceError(f"State {number} of the bearing has no equilibrium.", None)
         state = self._states.portion(slice(at, at + 1))
-        return BearingSolution.of(self.bearing, self.method, self.turning, state, self._roller_load)
+        return BearingSolution.of(self.bearing, self.method, self.turning, self.speed, state, self._roller_load)
 
     @property
     def loaded_share(self) -> Array:

@@ -138,7 +138,9 @@ def solve(
         words = f"No equilibrium of rollers and rings was found in {states.steps[0]} steps"
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
-    solution = BearingSolution.of(bearing, solver.method, turning, states, loaded, find_edge_rollers(system, states))
+    solution = BearingSolution.of(
+        bearing, solver.method, turning, float(speed), states, loaded, find_edge_rollers(system, states)
+    )
     try:
         strained = solution.findings
     except (InputError, ConvergenceError) as error:  # the loads are known
@@ -197,7 +199,7 @@ def solve_many(
     _, states = _solve_states(bearing, loaded, solver, maps, acting, thread_count(threads))
     arrays = {name: np.broadcast_to(value, shape) for name, value in inputs.items() if value is not None}
     return BearingSolutions.of(
-        bearing, solver.method, turning, states, loaded, shape, name_axes(arrays, shape, "state")
+        bearing, solver.method, turning, float(speed), states, loaded, shape, name_axes(arrays, shape, "state")
     )
 
 

@@ -192,10 +192,10 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.film import films
 
         _check_loaded(solution)
-        speed, oil = self.prescribed.speed, self.lubrication
-        if not speed or oil.dynamic_viscosity is None:
+        oil = self.lubrication
+        if not solution.speed or oil.dynamic_viscosity is None:
             return None
-        return films(solution, speed=speed, lubrication=oil, laminae=self.solver.laminae)
+        return films(solution, lubrication=oil, laminae=self.solver.laminae)
 
     def friction(self, solution: BearingSolution) -> Friction | None:
         """Return torque and power loss of the loaded bearing; None where oil, speed, series or sizes are not known."""
@@ -373,11 +373,9 @@ class BearingCase(CaseBase):
             for name in ("spectrum", "turning"):  # the solutions know their ring
                 conditions.pop(name)
             if not self.spectrum:
-                return assess(solution, **conditions, speed=self.prescribed.speed or None)
-            speeds = [case.speed for case in self.spectrum]
-            needed = oil or isinstance(self.life.required, str)
+                return assess(solution, **conditions)
             pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
-            return assess(pairs, **conditions, speed=speeds if needed or all(speeds) else None)
+            return assess(pairs, **conditions)
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
         """Return what `assess` does, or None and the reason why such a bearing has no rating.

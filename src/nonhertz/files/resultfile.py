@@ -243,7 +243,11 @@ def _bearing_solution(content: dict[str, Any], case: BearingCase) -> BearingSolu
     arrays["edge_rollers"] = arrays["edge_rollers"].astype(np.int64)
     numbers = {"residual": float(content["residual"]), "iterations": int(content["iterations"])}
     return BearingSolution(
-        bearing=bearing, method=str(content["method"]), turning=case.life.turning, **arrays | numbers
+        bearing=bearing,
+        method=str(content["method"]),
+        turning=case.life.turning,
+        speed=case.prescribed.speed,
+        **arrays | numbers,
     )
 
 
