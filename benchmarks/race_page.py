@@ -26,10 +26,10 @@ Written by `benchmarks/race.py` (`make bench`); do not edit. One run of {minutes
 ARRIVALS = """\
 ## Time to reach a given accuracy
 
-Time of the cheapest grid that meets the target, as all finer grids of the same program must. In brackets the grid:
-strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is `nonhertz.patch`. Many at
-once: {cases} loads, up to {less:.0f} % apart, in one `solve_many`, the time for each; "reused" is the automatic grid of
-the middle load. The last columns: how many times as fast as the best peer strips are (target in brackets).
+Time [ms] of the cheapest grid that meets the target, as all finer grids of the same program must. In brackets the
+grid: strips (automatic grids by their `accuracy`), or cells across and along. The plane grid is `nonhertz.patch`. Many
+at once: {cases} loads, up to {less:.0f} % apart, in one `solve_many`, the time for each; "reused" is the automatic grid
+of the middle load. The last columns: how many times as fast as the best peer strips are (target in brackets).
 """
 
 DRAWINGS = """\
@@ -161,7 +161,7 @@ def _asked(row: dict[str, Any]) -> str:
 def _arrival(entry: Entry | None, absent: bool) -> str:
     if absent:
         return "not there"
-    return f"{_time(entry['time'])} ({_grid(entry['grid'])})" if entry else NOT_REACHED
+    return f"{_milliseconds(entry['time'])} ({_grid(entry['grid'])})" if entry else NOT_REACHED
 
 
 def _times(value: float | None) -> str:
@@ -177,13 +177,15 @@ def _relative(value: float | None) -> str:
 def _grid(grid: Any) -> str:
     if isinstance(grid, str):
         return grid.replace(LEARNT, "reused")
-    return f"{grid} strips" if isinstance(grid, int) else " x ".join(map(str, grid))
+    return str(grid) if isinstance(grid, int) else " x ".join(map(str, grid))
 
 
 def _time(seconds: float) -> str:
-    if seconds >= 1.0:
-        return f"{seconds:.3g} s"
-    return f"{1e3 * seconds:.0f} ms" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms"
+    return f"{seconds:.3g} s" if seconds >= 1.0 else f"{_milliseconds(seconds)} ms"
+
+
+def _milliseconds(seconds: float) -> str:
+    return f"{1e3 * seconds:.0f}" if seconds >= 0.1 else f"{1e3 * seconds:.3g}"
 
 
 def _memory(size: int) -> str:

@@ -221,10 +221,10 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     yield from below(results)
     yield "## Starting"
     yield ""
-    yield "| | time |"
+    yield "| | time [ms] |"
     yield "|---|---|"
     for name, seconds in commands.items():
-        yield f"| `{name}` | {_ms(seconds)} |" if name != "python alone" else f"| {name} | {_ms(seconds)} |"
+        yield f"| `{name}` | {_number(seconds)} |" if name != "python alone" else f"| {name} | {_number(seconds)} |"
     yield ""
     yield CONTENTS
 
@@ -239,7 +239,7 @@ def targets(results: dict[str, Any]) -> Iterator[str]:
     yield f"| automatic grid, slowest case below | {_ms(cases.AUTOMATIC_TARGET)} | {_ms(slowest)} |"
     slowest_of_many = max(entry["one thread"] for entry in results["many"].values())
     least_gain = min(entry["gain"] for entry in results["many"].values())
-    label = f"the same, each of {cases.MANY} in `solve_many`, one thread"
+    label = f"{cases.STRIPS} equal strips, each of {cases.MANY} in `solve_many`, one thread"
     yield f"| {label} | {_ms(cases.MANY_TARGET)} | {_ms(slowest_of_many)} |"
     yield f"| gain on two threads | {cases.GAIN_TARGET} | {least_gain:.2f} |"
     largest = max(entry["ratio"] for entry in results["finite"].values())
@@ -257,10 +257,10 @@ def many_cases(results: dict[str, Any]) -> Iterator[str]:
     yield f"{cases.MANY} cases on {cases.STRIPS} equal strips in one `solve_many`: time for each, and the median gain."
     yield "In a sweep, each case starts from the one before."
     yield ""
-    yield "| cases | one thread | two threads | gain |"
+    yield "| cases | one thread [ms] | two threads [ms] | gain |"
     yield "|---|---|---|---|"
     for name, entry in results["many"].items():
-        yield f"| {name} | {_ms(entry['one thread'])} | {_ms(entry['two threads'])} | {entry['gain']:.2f} |"
+        yield f"| {name} | {_number(entry['one thread'])} | {_number(entry['two threads'])} | {entry['gain']:.2f} |"
     yield ""
 
 
@@ -270,10 +270,10 @@ def below(results: dict[str, Any]) -> Iterator[str]:
     yield ""
     yield "Below a tilted logarithmic roller on a plate, without the solve; random points down to three half-widths."
     yield ""
-    yield "| | one thread | two threads |"
+    yield "| | one thread [s] | two threads [s] |"
     yield "|---|---|---|"
     for name, entry in results["below"].items():
-        yield f"| {name} | {entry['one thread']:.2f} s | {entry['two threads']:.2f} s |"
+        yield f"| {name} | {entry['one thread']:.2f} | {entry['two threads']:.2f} |"
     yield ""
 
 
@@ -284,20 +284,24 @@ def automatic_grid(results: dict[str, Any]) -> Iterator[str]:
     yield "*Finite*: both bodies have mirrored faces (at four places of their own) and a depth; solved in turn with"
     yield "half-spaces, with the median ratio. Newton steps are those on the last grid, and on all."
     yield ""
-    yield "| case | strips | steps | on all | time | half-spaces | finite | ratio |"
+    yield "| case | strips | steps | on all | time [ms] | half-spaces | finite | ratio |"
     yield "|---|---|---|---|---|---|---|---|"
     for name, pair in results["finite"].items():
         solve = [""] * 4
         if alone := results["automatic"].get(name):
-            solve = [alone["strips"], alone["steps"], alone["steps on all grids"], _ms(alone["time"])]
-        cells = (name, *solve, _ms(pair["half-spaces"]), _ms(pair["finite"]), f"{pair['ratio']:.2f}")
+            solve = [alone["strips"], alone["steps"], alone["steps on all grids"], _number(alone["time"])]
+        cells = (name, *solve, _number(pair["half-spaces"]), _number(pair["finite"]), f"{pair['ratio']:.2f}")
         yield f"| {' | '.join(map(str, cells))} |"
     yield ""
 
 
 def _ms(seconds: float) -> str:
+    return f"{_number(seconds)} ms"
+
+
+def _number(seconds: float) -> str:
     milliseconds = 1e3 * seconds
-    return f"{milliseconds:.0f} ms" if milliseconds >= 100 else f"{milliseconds:.3g} ms"
+    return f"{milliseconds:.0f}" if milliseconds >= 100 else f"{milliseconds:.3g}"
 
 
 if __name__ == "__main__":
