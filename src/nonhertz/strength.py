@@ -30,6 +30,7 @@ from nonhertz.inputs.checks import one_of
 from nonhertz.lazy import dir_of
 from nonhertz.model.body import Body, BodyName
 from nonhertz.model.materials import name_of
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.read_only import ReadOnly
@@ -91,7 +92,7 @@ class Check(ReadOnly):
 
 
 @dataclass(frozen=True, repr=False)
-class Strength(HasFindings, ReadOnly):
+class Strength(HasFindings, ReadOnly, HasHtml):
     """Whether the strength of one body of a contact is exceeded.
 
     Attributes
@@ -117,6 +118,9 @@ class Strength(HasFindings, ReadOnly):
     largest: Extremes
     core: Extremes | None
     findings: tuple[Finding, ...]
+
+    def __repr__(self) -> str:
+        return plain_text("Strength", [f"body {self.body}, {CRITERIA[self.criterion]}", *self.sentences])
 
     @property
     def sentences(self) -> tuple[str, ...]:

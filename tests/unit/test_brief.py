@@ -1,13 +1,12 @@
 """What results say of themselves where they are printed."""
 
-import html
 import re
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
 from nonhertz.errors import without_accuracy_warnings
-from nonhertz.result.brief import HasHtml, plain_text
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, nh.Ring(diameter=80))
@@ -44,17 +43,6 @@ def test_maxima_that_mirror_each_other_are_two_places_and_neighbours_one():
     assert re.search(r"maximum pressure \S+ MPa at y = \S+ mm", repr(even))
 
 
-def test_notebooks_see_the_pressure_drawn(solved):
-    page = solved._repr_html_()
-    points = re.search(r'points="([^"]*)"', page)[1].split()
-    assert len(points) == solved.strips
-    heights = [float(point.partition(",")[2]) for point in points]
-    assert heights[int(solved.centre_pressure.argmax())] == min(heights) < 20.0
-    assert heights[0] == max(heights)
-    assert "<li>" in page
-    assert "load 5.0000 kN" in page
-
-
 def test_plane_grids_and_batches_are_printed_too():
     patch = quietly(nh.patch.solve, CONTACT, load=5e3, cells=(32, 64))
     assert len(repr(patch).splitlines()) <= 10
@@ -66,23 +54,20 @@ def test_plane_grids_and_batches_are_printed_too():
     assert "failed: case (1, 1): approach = -1.0" in said
 
 
-def test_notebooks_see_every_result_as_it_prints():
-    case = nh.new_case(changes={"solver.strips": 21})
-    study = nh.sweep(case, over={"load.load": [5e3, 6e3]}, quantities=("approach",))
-    for result in (study, nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41), nh.compare(CONTACT, load=5e3)):
-        name, *lines = repr(result).splitlines()
-        shown = result._repr_html_()
-        assert f"<strong>{name}</strong>" in shown
-        assert re.findall("<li>(.*?)</li>", shown) == [html.escape(line.strip()) for line in lines] != []
+def test_warnings_take_one_line():
+    sharp = quietly(nh.solve, nh.Contact(nh.Roller(diameter=20, length=20), nh.Ring(diameter=80)), load=5e3)
+    (life,) = nh.life.assess(sharp, "iso-16281")
+    assert len(sharp.warnings) == 2
+    assert repr(sharp).splitlines()[-1].endswith(" ... (and 1 more)")
+    assert repr(life).splitlines()[-1].startswith("  warning: The contact reaches the sharp end")
 
 
-def test_what_notebooks_are_shown_is_escaped():
-    class Result(HasHtml):
-        def __repr__(self):
-            return plain_text("<b>", ["<script>alert(1)</script>", "a & b"])
+def test_measured_points_are_printed_by_their_range():
+    y = np.linspace(-9.0, 9.0, 400)
+    trace = nh.measured.Trace(y, 1e-4 * y**2, name="roller 7")
+    assert repr(trace).startswith("Trace(y=<400: -9.000 to 9.000>, height=<400: ")
+    assert repr(nh.measured.Measured(trace).levelled()) == "Measured(trace='roller 7', steps=(Level(),))"
 
-    shown = Result()._repr_html_()
-    assert "<script>" not in shown
-    assert "&lt;script&gt;alert(1)&lt;/script&gt;" in shown
-    assert "<strong>&lt;b&gt;</strong>" in shown
-    assert "a &amp; b" in shown
+
+def test_moments_that_are_rounding_are_printed_as_zero():
+    assert "moment 0 to 0 N mm" in repr(nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41))

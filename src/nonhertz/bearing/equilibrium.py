@@ -199,9 +199,14 @@ def drop_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[fl
 
     Weights make those of several units comparable.
     """
-    sizes = np.abs(values * weights)
-    rounded: list[float] = np.where(sizes > NO_LOAD * max(float(sizes.max()), beside), values, 0.0).tolist()
+    rounded: list[float] = without_rounding(values, weights, beside).tolist()
     return rounded
+
+
+def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> Array:
+    """Return the same of many states, shape (..., numbers)."""
+    sizes = np.abs(values * weights)
+    return np.where(sizes > NO_LOAD * np.maximum(sizes.max(axis=-1, keepdims=True), beside), values, 0.0)
 
 
 def drop_tilt_rounding(tilt: Array) -> Array:

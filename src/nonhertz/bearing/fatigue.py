@@ -48,7 +48,7 @@ from nonhertz.inputs.checks import one_of
 from nonhertz.life.catalogue import MODELS, VolumeModel
 from nonhertz.life.volume import Exposure, even_exposure, exposure, section_exposure
 from nonhertz.model.body import BodyName
-from nonhertz.result.brief import HasHtml, plain_text
+from nonhertz.result.brief import HasHtml, plain_text, warning_lines
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
 from nonhertz.result.read_only import ReadOnly
@@ -58,7 +58,7 @@ Array = NDArray[np.float64]
 #: What is seen at each roller of a row; nothing where it is not loaded.
 Seen = Sequence[Exposure | None]
 
-BODIES = ("inner ring", "outer ring", "rollers")
+BODIES, TOGETHER = ("inner ring", "outer ring", "rollers"), ("both rings", "rings and rollers")
 FIELDS = ("sections", "whole")
 # Over a half-width, by how much of itself the pressure may change for sections to do, and how much of the damage may be
 # where it changes by more.
@@ -129,7 +129,7 @@ class VolumeLife(HasFindings, ReadOnly, HasHtml):
             ", ".join(f"{name} {format_digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
             f"rings {format_digits(self.rings, 4)}, with rollers {format_digits(self.bearing, 4)}: "
             f"{format_digits(self.relative_life, 3)} of that under even loads",
-            *self.warnings,
+            *warning_lines(self.warnings),
         ]
         return plain_text("VolumeLife", lines)
 

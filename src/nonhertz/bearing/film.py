@@ -50,6 +50,7 @@ from nonhertz.bearing.standard import LAMINAE, slice_loads
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive, whole
 from nonhertz.life.lamina import FEWEST, MOST
+from nonhertz.result.brief import HasHtml, ShortRepr
 from nonhertz.result.quantities import Quantity, attributes
 from nonhertz.result.solution import Solution
 
@@ -87,8 +88,8 @@ def hamrock_dowson(speed: Array, material: float, load: Array, ellipticity: floa
     return least, central
 
 
-@dataclass(frozen=True, eq=False)
-class ContactFilm:
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactFilm(ShortRepr):
     """The film along a contact; arrays of shape (n,).
 
     Attributes
@@ -124,8 +125,8 @@ class ContactFilm:
     elliptic: bool
 
 
-@dataclass(frozen=True, eq=False)
-class Films:
+@dataclass(frozen=True, eq=False, repr=False)
+class Films(ShortRepr, HasHtml):
     """The films in a loaded bearing; made by `films`.
 
     Attributes

@@ -42,6 +42,7 @@ from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.ratings import axial_and_radial, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.result.brief import HasHtml
 
 _OIL, _GREASE = 0, 1
 _SLOW: Final = 2000.0  # nu n [mm^2/s /min] below which M_0 is that at rest
@@ -122,7 +123,7 @@ def power(torque: float, speed: float) -> float:
 
 
 @dataclass(frozen=True)
-class Friction:
+class Friction(HasHtml):
     """Friction of a loaded bearing; made by `friction`.
 
     Attributes

@@ -23,6 +23,7 @@ from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite
+from nonhertz.result.brief import HasHtml
 
 PER_MINUTE: Final = math.pi / 30.0  # rad/s of 1/min
 _SPEED = "give the speed of the ring in 1/min, negative the other way round"
@@ -39,7 +40,7 @@ def roller_speed(inner: float, outer: float, ratio: float, size: float) -> float
 
 
 @dataclass(frozen=True)
-class Kinematics:
+class Kinematics(HasHtml):
     """The speeds in a row of rollers, and the frequencies of over-rolling; made by `RollerBearing.kinematics`.
 
     Attributes

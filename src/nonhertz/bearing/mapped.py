@@ -13,10 +13,11 @@ from nonhertz.inputs.checks import positive
 from nonhertz.maps.value import INACCURATE, ContactMap
 from nonhertz.maps.verb import contact_map
 from nonhertz.model.contact import Contact
+from nonhertz.result.brief import HasHtml
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class BearingMaps:
+class BearingMaps(HasHtml):
     """Maps of all contacts of a bearing; made by `maps`.
 
     Attributes

@@ -10,7 +10,7 @@ from nonhertz.bearing.fits import Range
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import positive
-from nonhertz.result.brief import plain_text
+from nonhertz.result.brief import HasHtml, plain_text
 
 MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
 
@@ -73,7 +73,7 @@ class InterferenceFit:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class OperatingClearance(HasFindings):
+class OperatingClearance(HasFindings, HasHtml):
     """What is left of a bearing's radial clearance, and what took it.
 
     The losses are taken in turn, and so add up: first the bearing is mounted, then it gets warm, then it turns. What a

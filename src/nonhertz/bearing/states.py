@@ -15,6 +15,7 @@ from nonhertz.bearing.pairs import Paired, loaded_shares
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import ConvergenceError
+from nonhertz.result.brief import HasHtml
 from nonhertz.result.data import library, product_index
 from nonhertz.result.read_only import ReadOnly
 
@@ -27,7 +28,7 @@ STATE_UNITS = FORCES | DISPLACEMENTS | {f"max_load_{ring}": "N" for ring in RING
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class BearingSolutions(ReadOnly):
+class BearingSolutions(ReadOnly, HasHtml):
     """A bearing in equilibrium under many loads; indexing returns one of them as a `BearingSolution`.
 
     Attributes

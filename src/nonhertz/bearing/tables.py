@@ -94,11 +94,12 @@ class ForceTable(ReadOnly, HasHtml):
             f"{np.count_nonzero(self.converged)} of {self.converged.size} states converged",
         ]
         if self.checked_force.size:
-            lines.append(f"interpolated linearly, sampled error {self._share()}")
+            lines.append(f"interpolated linearly, sampled error {self.error_in_words}")
         return plain_text("ForceTable", lines)
 
-    def _share(self) -> str:
-        """Return the sampled errors over the largest forces and moments in words."""
+    @property
+    def error_in_words(self) -> str:
+        """The sampled errors of linear interpolation over the largest forces and moments."""
         off = self.sampled_error()
         parts = []
         for what, where in (("force", slice(0, 3)), ("moment", slice(3, 5))):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from nonhertz import Case, InputError
-from nonhertz.amounts import of_dimension
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, Workers, default_output_path, rename_fields, write_outputs
 from nonhertz.cli.printing import progress_bar
@@ -21,8 +19,8 @@ from nonhertz.files.studies import DESIGN, FRONT, as_text
 from nonhertz.files.toml import to_toml
 from nonhertz.plot.drawer import sheets_of
 from nonhertz.result.tables import csv_text
-from nonhertz.show.sections import Section, Table, assumed_section
-from nonhertz.show.studies import design_sections
+from nonhertz.show.sections import assumed_section
+from nonhertz.show.studies import design_sections, front_columns, front_sections
 from nonhertz.study.design import Design, Front, optimize, pareto
 from nonhertz.study.figures import design_figures, front_figures
 
@@ -115,32 +113,11 @@ def _find_front(case: Case, options: dict[str, Any], points: int, workers: int |
         texts[f"case-{number}.toml"] = to_toml(point_case.document_in(out) | title)
     groups = f"loads {GROUPS[0]}", f"loads {GROUPS[1]}"
     made = write_outputs(out, lambda: texts, lambda: sheets_of(front_figures(front, groups)))
-    return Answer("", _front_sections(front), partial(as_json, made), front.verdict, front.warnings, made)
-
-
-def _front_sections(front: Front) -> list[Section]:
-    """Return the points of a front as sections."""
-    heads, columns = ["point"], []
-    for name, (values, unit) in _columns(front).items():
-        cells, read = of_dimension(values, unit).apart()
-        heads.append(f"{name} [{read}]" if read else name)
-        columns.append(cells)
-    rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
-    return [Section("", [Table(rows, heads)])]
-
-
-def _columns(front: Front) -> dict[str, tuple[Sequence[float], str]]:
-    """Return the numbers of the points by name, with their units; free profiles are in the case files."""
-    groups = zip(GROUPS, (front.first, front.second), strict=True)
-    paths = [path for path, value in front.values[0].items() if isinstance(value, float)]
-    return {
-        **{f"largest pressure {group}": (values, "MPa") for group, values in groups},
-        **{path: ([values[path] for values in front.values], front.units.get(path, "")) for path in paths},
-    }
+    return Answer("", front_sections(front, GROUPS), partial(as_json, made), front.verdict, front.warnings, made)
 
 
 def _front_table(front: Front) -> str:
-    columns = _columns(front)
+    columns = front_columns(front, GROUPS)
     rows = enumerate(zip(*(values for values, _ in columns.values()), strict=True), start=1)
     head = ("point", *(f"{name} [{unit}]" if unit else name for name, (_, unit) in columns.items()))
     return csv_text(head, ([number, *(f"{value:.9g}" for value in row)] for number, row in rows))

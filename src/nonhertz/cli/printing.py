@@ -6,9 +6,8 @@ import contextlib
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from pathlib import Path
-from typing import Self, TypeGuard
+from typing import Self
 
 from rich.console import Console
 from rich.measure import Measurement
@@ -17,7 +16,7 @@ from rich.progress import Progress as Bar
 from rich.table import Table as Grid
 from rich.text import Text
 
-from nonhertz.show.sections import SUMMARY, Notes, Section, Table, shown_columns, with_columns_of_remarks
+from nonhertz.show.sections import Section, Table, group_blocks, shown_columns, with_columns_of_remarks
 from nonhertz.verdict import Level, Verdict
 
 # Between a number and its unit, and within a unit; as a letter, since rich breaks lines at any blank.
@@ -54,7 +53,7 @@ def print_result(
         console.print(Text(title, style="bold"))
     if verdict is not None:
         say(f"{verdict.words} {verdict.sentence}", _LEVELS.get(verdict.level, "yellow"))
-    for number, blocks in enumerate(_group_blocks(sections)):
+    for number, blocks in enumerate(group_blocks(sections)):
         if number:
             console.print()
         for block in blocks:
@@ -66,23 +65,6 @@ def print_result(
     for warning in warnings:
         say(f"warning: {warning}", "yellow")
     print_written(written)
-
-
-def _group_blocks(sections: Iterable[Section]) -> list[list[Table | Notes]]:
-    """Return the blocks between which no empty line is printed; consecutive summaries are one table."""
-    groups: list[list[Table | Notes]] = []
-    for section in sections:
-        blocks = [block for block in section.blocks if isinstance(block, Table | Notes) and len(block)]
-        if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
-            groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
-            groups[-1] += blocks[1:]
-        elif blocks:
-            groups.append(blocks)
-    return groups
-
-
-def _is_summary(block: Table | Notes) -> TypeGuard[Table]:
-    return isinstance(block, Table) and block.layout == SUMMARY
 
 
 def _print_rows(console: Console, shown: Table) -> None:

@@ -22,6 +22,7 @@ from nonhertz.files.toml import file_kind
 from nonhertz.findings import Finding
 from nonhertz.inputs.assumed import restore_assumptions
 from nonhertz.inputs.files import read_bytes
+from nonhertz.result.brief import HasHtml
 from nonhertz.result.edges import EdgeKind, EdgePressure, SingularEnd
 from nonhertz.result.outcome import Judgement
 from nonhertz.result.solution import Solution
@@ -40,7 +41,7 @@ _WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a pa
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Result:
+class Result(HasHtml):
     """What a result file holds.
 
     Attributes

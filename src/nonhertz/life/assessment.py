@@ -30,7 +30,7 @@ from nonhertz.life.spectrum import check_shares, miner
 from nonhertz.life.volume import Exposure, exposure
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.brief import HasHtml, plain_text
+from nonhertz.result.brief import HasHtml, plain_text, warning_lines
 from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.ends import ends_in_words, outermost, step_at
 from nonhertz.result.read_only import ReadOnly
@@ -100,7 +100,7 @@ class Life(HasFindings, ReadOnly, HasHtml):
         rated = f"no life in revolutions: {self.unrated}"
         if absolute is not None:
             rated = f"L10 = {format_digits(absolute, 4)} million revolutions"
-        return plain_text("Life", [f"{self.model.name}, body {self.body}", ideal, rated, *self.warnings])
+        return plain_text("Life", [f"{self.model.name}, body {self.body}", ideal, rated, *warning_lines(self.warnings)])
 
     @property
     def no_revolutions(self) -> str:

@@ -46,6 +46,7 @@ from nonhertz.measured.steps import (
 from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Points, Trace
 from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
+from nonhertz.result.brief import HasHtml, ShortRepr
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -62,8 +63,8 @@ _LARGEST_RADIUS, _PLAIN = 1e6, 5.0
 _SURELY_LONG = 10.0  # mm, of a trace whose land is longer than the cutoff: no step has to be made to know
 
 
-@dataclass(frozen=True, eq=False)
-class Measured:
+@dataclass(frozen=True, eq=False, repr=False)
+class Measured(ShortRepr, HasHtml):
     """A raw trace and an ordered list of steps that turn it into a profile.
 
     Methods return changed copies; the raw trace is never modified. A step that already exists is replaced in place; a

@@ -24,6 +24,7 @@ from nonhertz.inputs.checks import check_list, finite, flag, numbers, one_of
 from nonhertz.inputs.descriptions import Quantity
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile
+from nonhertz.result.brief import HasHtml
 
 _MOST_POINTS = 2000
 _FAR = 1.0  # mm, in place of the infinite relief beyond a pole
@@ -34,7 +35,7 @@ _DERIVATIVES = 1e-7  # of the largest: accuracy of finite-difference derivatives
 
 
 @dataclass(frozen=True, eq=False)
-class ProfileFit:
+class ProfileFit(HasHtml):
     """The best-fitting profile of a kind.
 
     Attributes

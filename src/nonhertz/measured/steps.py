@@ -23,6 +23,7 @@ from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
 from nonhertz.measured.outlying import THRESHOLD, outliers
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
+from nonhertz.result.brief import ShortRepr
 
 #: Wavelength [mm] that separates roughness from form: the value of ISO 21920-3 and ISO 4288 for finely ground surfaces.
 CUTOFF = 0.8
@@ -54,8 +55,8 @@ CornersKept = Annotated[
 ]
 
 
-@dataclass(frozen=True, eq=False)
-class StepResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class StepResult(ShortRepr):
     """The points after a step, and what the step did.
 
     Attributes

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list, numbers, text
+from nonhertz.result.brief import ShortRepr
 
 Array = NDArray[np.float64]
 
@@ -26,8 +27,8 @@ LONGEST = 1e3  # mm; few measure more than a metre, and a file in um taken for m
 _INNER = 0.9  # of a trace, which its corners leave
 
 
-@dataclass(frozen=True, eq=False)
-class Points:
+@dataclass(frozen=True, eq=False, repr=False)
+class Points(ShortRepr):
     """Heights along a line, sorted by position.
 
     Parameters
@@ -133,7 +134,7 @@ class Points:
         return inner
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Trace(Points):
     """A raw measurement, as the machine left it except for units, sign and order.
 

@@ -1,10 +1,9 @@
-"""How a result prints: at most ten lines, and in notebooks a plot of the pressure."""
+"""How a result prints: at most ten lines, and in notebooks as tables."""
 
 from __future__ import annotations
 
 import dataclasses
-import html
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 WIDEST = 60  # characters in a value
-DRAWN_WIDTH, DRAWN_HEIGHT, ROOM = 360, 90, 1.1  # px, px, of the reported maximum pressure
 
 
 def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
@@ -53,10 +51,7 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
         how = f"both ends {named[0]}" if alike else " and ".join(named)
         text.append(f"contact along y from {shorten(places)}: {how}")
         text += map(str, solution.remarks)
-    if solution.warnings:
-        more = "" if len(solution.warnings) == 1 else f" (and {len(solution.warnings) - 1} more)"
-        text.append(f"warning: {shorten(solution.warnings[0])}{more}")
-    return text
+    return [*text, *warning_lines(solution.warnings)]
 
 
 def _pressure(solution: Solved) -> str:
@@ -96,7 +91,13 @@ def where_largest(solution: Solved, significant: int = 5) -> str:
 
 def shorten(text: str) -> str:
     """Return a text of at most `WIDEST` characters, cut at a word boundary."""
-    return text if len(text) <= WIDEST else text[:WIDEST].rpartition(" ")[0] + " ..."
+    return text if len(text) <= WIDEST else (text[:WIDEST].rpartition(" ")[0] or text[:WIDEST]) + " ..."
+
+
+def warning_lines(warnings: Sequence[str]) -> list[str]:
+    """Return a line on warnings: the first, shortened, and how many more there are; no line without any."""
+    more = f" (and {len(warnings) - 1} more)" if len(warnings) > 1 else ""
+    return [f"warning: {shorten(warning)}{more}" for warning in warnings[:1]]
 
 
 def plain_text(name: str, items: list[str]) -> str:
@@ -105,43 +106,20 @@ def plain_text(name: str, items: list[str]) -> str:
 
 
 class HasHtml:
-    """A result that notebooks show as what it prints: its name and a line for each number, with units."""
+    """A result that notebooks show as the tables that terminal and report have."""
 
     def _repr_html_(self) -> str:
-        name, *texts = repr(self).splitlines()
-        return _to_html(name, texts)
+        from nonhertz.show.notebook import to_html  # what lays out stands above what is laid out
+
+        return to_html(self)
 
 
-def _to_html(name: str, texts: Iterable[str], picture: str = "") -> str:
-    items = "".join(f"<li>{html.escape(line.strip())}</li>" for line in texts)
-    return (
-        f'<div class="nonhertz-result"><strong>{html.escape(name)}</strong>{picture}'
-        f'<ul style="list-style:none;padding:0;margin:0">{items}</ul></div>'
-    )
+class ShortRepr:
+    """A dataclass whose repr has shape and range of arrays, and the beginning of long values."""
 
-
-def to_html(name: str, texts: list[str], solution: Solved) -> str:
-    """Return lines as HTML, below a plot of the pressure along the contact, clipped where it has no limit."""
-    y, pressure = solution.y, solution.centre_pressure
-    low, span = float(y[0]), float(np.ptp(y)) or 1.0
-    top = ROOM * solution.max_pressure or 1.0
-    points = " ".join(
-        f"{DRAWN_WIDTH * (place - low) / span:.1f},{DRAWN_HEIGHT * (1.0 - min(value / top, 1.0)):.1f}"
-        for place, value in zip(y.tolist(), pressure.tolist(), strict=True)
-    )
-    picture = (
-        f'<svg role="img" aria-label="pressure along the contact" '
-        f'viewBox="0 -2 {DRAWN_WIDTH} {DRAWN_HEIGHT + 4}" width="{DRAWN_WIDTH}" height="{DRAWN_HEIGHT}" '
-        'style="display:block;margin:4px 0">'
-        f'<polyline points="{points}" fill="none" stroke="currentColor" stroke-width="1.2"/></svg>'
-    )
-    return _to_html(name, texts, picture)
-
-
-def fields(value: Any) -> str:
-    """Return a short repr of a dataclass: shape and range of arrays, the beginning of long values."""
-    values = [f"{field.name}={_field(getattr(value, field.name))}" for field in dataclasses.fields(value) if field.repr]
-    return f"{type(value).__name__}({', '.join(values)})"
+    def __repr__(self) -> str:
+        shown = (field.name for field in dataclasses.fields(self) if field.repr)  # type: ignore[arg-type]
+        return f"{type(self).__name__}({', '.join(f'{name}={_field(getattr(self, name))}' for name in shown)})"
 
 
 def _field(value: Any) -> str:
@@ -158,4 +136,6 @@ def _field(value: Any) -> str:
     if isinstance(value, float):
         return format_digits(value)
     named = getattr(value, "name", None)
-    return shorten(repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value))
+    text = repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value)
+    first, _, further = text.partition("\n")
+    return f"<{first}>" if further else shorten(text)

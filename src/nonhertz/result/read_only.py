@@ -8,16 +8,13 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.result import brief
+from nonhertz.result.brief import ShortRepr
 
 Values = TypeVar("Values", bound=NDArray[Any])
 
 
-class ReadOnly:
+class ReadOnly(ShortRepr):
     """A frozen dataclass whose arrays are read-only too, even after unpickling, which drops the flag; a short repr."""
-
-    def __repr__(self) -> str:
-        return brief.fields(self)
 
     def __post_init__(self) -> None:
         _freeze_value(vars(self))

@@ -65,7 +65,7 @@ else:
     _Derived = object
 
 
-class Solved(HasFindings, ReadOnly, _Derived):
+class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
     """A solved contact, on strips or on a plane grid: what code that reads a result relies on.
 
     Attributes
@@ -118,9 +118,6 @@ class Solved(HasFindings, ReadOnly, _Derived):
 
     def __repr__(self) -> str:
         return brief.plain_text(type(self).__name__, self._said())
-
-    def _repr_html_(self) -> str:
-        return brief.to_html(type(self).__name__, self._said(), self)
 
     def _said(self) -> list[str]:
         raise NotImplementedError

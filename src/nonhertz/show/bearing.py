@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.amounts import (
-    Amount,
     amount,
     format_column,
     format_digits,
@@ -30,18 +29,17 @@ from nonhertz.bearing.bearings import (
     TaperedRollerBearing,
 )
 from nonhertz.bearing.equilibrium import NO_LOAD, drop_rounding
+from nonhertz.bearing.fatigue import BODIES, TOGETHER, VolumeLife
 from nonhertz.bearing.film import Films
-from nonhertz.bearing.fits import Range
 from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.bearing.toleranced import Tolerances
-from nonhertz.files.bearing_results import LOSSES
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.beside import ABSENT, beside, changes, compared
+from nonhertz.show.beside import beside, changes, compared
+from nonhertz.show.clearances import fit_rows, tolerance_section
 from nonhertz.show.films import film_rows
 from nonhertz.show.friction import friction_rows, limit_rows
 from nonhertz.show.lives import of_life
@@ -51,11 +49,7 @@ from nonhertz.study.quantities import number_of
 OF_LARGEST = "Differences of loads are in per cent of the largest load by strips, others of the value by strips."
 #: The parts of a solution whose numbers both strips and slices have.
 _COMPARED = ("displacement", "force", "load")
-_OF_TOLERANCES = (
-    "At the least and the greatest clearance all parts are at their limits; the last column is the mean plus and "
-    "minus three standard deviations, for parts that are independent and normally distributed."
-)
-TOLERANCES, ALL_ROLLERS = "Tolerances", "All rollers"
+ALL_ROLLERS = "All rollers"
 #: The name of the first of the last rows of the summary, on the method.
 METHOD = "method"
 _REVOLUTIONS = " million revolutions"
@@ -65,22 +59,33 @@ _PLAY = 1e-3  # mm: smaller differences are rounding of diameters
 
 def sections(case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str) -> list[Section]:
     """Return the sections on a loaded bearing; without rows on its life if there is neither a life nor a reason."""
-    lives = life_rows(life, reason) if life is not None or reason else []
-    if lives and case.spectrum:
-        share = f"{format_input(100.0 * sum(load_case.share for load_case in case.spectrum), 4)} % of revolutions"
-        lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
     tolerances = case.tolerances(solution, life)
     films = case.films(solution)
+    results, lives = case_sections(case, solution, life, reason)
     return [
-        Section("Results", [summary(summary_rows(case, solution))]),
+        results,
         *([] if tolerances is None else [tolerance_section(case, tolerances)]),
-        Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
+        lives,
         Section("Film", [summary(film_rows(case, films))]),
         Section("Friction", [summary(friction_rows(case, solution))]),
         Section("Manufacturers' limits", [summary(limit_rows(case, solution))]),
         Section("Speeds and frequencies", [summary(kinematic_rows(case.kinematics))]),
         Section(ALL_ROLLERS, [roller_table(solution, films)]),
     ]
+
+
+def case_sections(
+    case: BearingCase, solution: BearingSolution, life: BearingLife | None, reason: str
+) -> tuple[Section, Section]:
+    """Return the first of these: the loaded bearing, and its ratings and life."""
+    lives = life_rows(life, reason) if life is not None or reason else []
+    if lives and case.spectrum:
+        share = f"{format_input(100.0 * sum(load_case.share for load_case in case.spectrum), 4)} % of revolutions"
+        lives.insert(0, ("life under", f"{len(case.spectrum)} loads of a spectrum", share))
+    return (
+        Section("Results", [summary(summary_rows(case, solution))]),
+        Section("Ratings and life", [summary([*lives, *assumed_rows(case.assumed)])]),
+    )
 
 
 def compared_sections(case: BearingCase, strips: BearingSolution, slices: BearingSolution) -> list[Section]:
@@ -99,7 +104,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     return [
         *_bearing_rows(solution.bearing, fitted=case.fit is not None),
         *_preload_rows(case.bearing),
-        *_fit_rows(case),
+        *fit_rows(case),
         *_load_rows(solution),
         *([("speed", f"{format_input(float(speed))} 1/min", "")] if speed else []),
         *_most_loaded_rows(solution),
@@ -112,6 +117,30 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
         ),
         *_method_rows(solution),
     ]
+
+
+def solution_sections(solution: BearingSolution) -> list[Section]:
+    """Return the sections on a loaded bearing without its case: not its speed, nor what fits have taken."""
+    rows = summary_rows(BearingCase(solution.bearing), solution)
+    return [Section("Results", [summary([*rows, *assumed_rows(solution.assumed)])])]
+
+
+def life_sections(life: BearingLife) -> list[Section]:
+    """Return the sections on the life of a bearing."""
+    return [Section("Ratings and life", [summary([*life_rows(life, ""), *assumed_rows(life.assumed)])])]
+
+
+def volume_life_sections(life: VolumeLife) -> list[Section]:
+    """Return the sections on lives by a model of the stressed volume: of rings, rollers and all together."""
+    values = (life.inner, life.outer, life.rollers, life.rings, life.bearing)
+    rows = [(name, of_life(value, _REVOLUTIONS), "") for name, value in zip((*BODIES, *TOGETHER), values, strict=True)]
+    relative = ("life against even loads", format_digits(life.relative_life, 3), "rings and rollers")
+    return [Section("Life", [summary([("model", life.model.name, ""), *rows, relative])])]
+
+
+def kinematic_sections(kinematics: Kinematics) -> list[Section]:
+    """Return the sections on speeds and frequencies of over-rolling."""
+    return [Section("Speeds and frequencies", [summary(kinematic_rows(kinematics))])]
 
 
 def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
@@ -193,46 +222,6 @@ def kinematic_rows(kinematics: Kinematics | None) -> list[Row]:
         (name, value, f"{what}order {format_digits(abs(frequency) / kinematics.shaft_frequency, 4)}")
         for name, frequency, value, what in rows
     ]
-
-
-def tolerance_section(case: BearingCase, tolerances: Tolerances) -> Section:
-    """Return interferences, clearance and results at the least, the likely and the greatest clearance."""
-    row, ranges = case.bearing.rows[0].bearing, tolerances.clearance
-    # Radial and axial clearances of a tapered row are proportional.
-    tapered = isinstance(row, TaperedRollerBearing)
-    factor, way = (0.5 / math.tan(row.nominal_angle), "axial") if tapered else (1.0, "radial")
-    clearances = {"unmounted": ranges.unmounted, "mounted": ranges.mounted, "in operation": ranges.operating}
-    interferences = {"on shaft": ranges.shaft, "in housing": ranges.housing}
-    lengths = {
-        f"interference {where}": length_range
-        for where, length_range in interferences.items()
-        if length_range is not None
-    }
-    # The greatest interference leaves the least clearance.
-    rows = [_range_row(name, length_range, Range.AT[::-1]) for name, length_range in lengths.items()]
-    rows += [
-        _range_row(f"{way} clearance {when}", clearance_range.scaled(factor))
-        for when, clearance_range in clearances.items()
-    ]
-    for name, result_range in tolerances.results.items():
-        values = QUANTITIES[name].amount(*(result_range.at(which) for which in Range.AT))
-        if any(map(math.isfinite, values.values)):
-            rows.append(_row_of(f"{QUANTITIES[name].label} {QUANTITIES[name].symbol}".strip(), values))
-    heads = ("", "least clearance", "likely", "greatest clearance", "99.7 % within")
-    return Section(TOLERANCES, [Table(rows, heads, (0, 4)), Notes([_OF_TOLERANCES])])
-
-
-def _range_row(name: str, length_range: Range, order: Sequence[str] = Range.AT) -> tuple[str, ...]:
-    """Return a row of a length at the limits."""
-    probable = "" if length_range.known else " to ".join(um(*length_range.probable).apart("4")[0])
-    return _row_of(name, um(*(length_range.at(which) for which in order)), probable)
-
-
-def _row_of(name: str, values: Amount, probable: str = "") -> tuple[str, ...]:
-    """Return a row of three values in the unit of the largest."""
-    factor, unit = values.scale
-    texts = (format_digits(factor * value, 4) if math.isfinite(value) else ABSENT for value in values.values)
-    return f"{name} [{unit}]", *texts, probable
 
 
 def roller_table(solution: BearingSolution, films: Films | None = None) -> Table:
@@ -347,27 +336,6 @@ def _preload_rows(bearing: RollerBearing | Paired) -> list[Row]:
     if not isinstance(bearing, Paired) or bearing.preload is None:
         return []
     return [("preload", f"{newton(bearing.preload):g}", "axial, of the mounted rows without load")]
-
-
-def _fit_rows(case: BearingCase) -> list[Row]:
-    """Return the clearance before mounting and its reductions; of tapered rows the axial ones."""
-    operating = case.operating_clearance
-    if operating is None or case.fit is None:
-        return []
-    row = case.bearing.rows[0].bearing
-    # Radial and axial clearances of a tapered row are proportional.
-    factor, way = 1.0, "radial"
-    if isinstance(row, TaperedRollerBearing):
-        factor, way = 0.5 / math.tan(row.nominal_angle), "axial"
-    rows = [("before mounting", f"{um(factor * operating.unmounted):g}", way)]
-    rows += [("", f"{um(factor * key.value(operating)):4}", key.meaning) for key in LOSSES]
-    if isinstance(case.bearing, Paired):
-        rows.append(("", f"{um(case.fit.expansion(case.bearing)):4}", "increase by temperatures between the rows"))
-    for ring, fit in (("inner", operating.inner), ("outer", operating.outer)):
-        loose = ", loosened" if fit.loosened else ""
-        value = f"{mpa(fit.pressure):4}{loose}"
-        rows.append((f"{ring} fit", value, f"{mpa(fit.mounted_pressure):4} when mounted"))
-    return rows
 
 
 def _load_rows(solution: BearingSolution) -> list[Row]:

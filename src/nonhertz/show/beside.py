@@ -6,12 +6,16 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nonhertz.amounts import Amount, format_digits, format_input, percent
 from nonhertz.result.quantities import Quantity
 from nonhertz.show.sections import Cell, Table
 
 Cells = Sequence[str | Cell]
 ABSENT = "–"
+MOST_LISTED = 12  # results that are listed one by one
 _NOTICED = 5e-6  # relative difference; smaller ones are rounding
 
 
@@ -78,6 +82,40 @@ def compared(quantities: Iterable[Quantity], results: Sequence[Mapping[str, floa
         for quantity, values in rows
         if any(value and math.isfinite(value) for value in values)
     ]
+
+
+def extremes_table(numbers: Iterable[tuple[Quantity, tuple[float, float]]]) -> Table:
+    """Return the smallest and the largest number of every quantity."""
+    rows = []
+    for quantity, extremes in numbers:
+        (low, high), unit = quantity.amount(*extremes).apart()
+        rows.append((quantity.label, low, high, unit))
+    return Table(rows, ("", "smallest", "largest", ""), (0, 3))
+
+
+def numbers_table(counted: str, numbers: Sequence[tuple[Quantity, NDArray[np.float64]]]) -> Table:
+    """Return all numbers of few results, or the smallest and the largest of many; without quantities that are all zero.
+
+    Parameters
+    ----------
+    counted : str
+        What a result is called.
+    numbers : sequence of (Quantity, ndarray)
+        A value for each result, NaN where it has none.
+    """
+    some = [(quantity, values) for quantity, values in numbers if np.any(np.nan_to_num(values))]
+    count = numbers[0][1].size
+    if count > MOST_LISTED:
+        return extremes_table((quantity, (np.nanmin(values), np.nanmax(values))) for quantity, values in some)
+    heads = (counted, *map(str, range(count)), "")
+    return Table([number_row(quantity, values.tolist()) for quantity, values in some], heads, (0, len(heads) - 1))
+
+
+def number_row(quantity: Quantity, values: Sequence[float]) -> tuple[str, ...]:
+    """Return label, values and unit of a quantity of several results, blank where one has none."""
+    texts, unit = quantity.amount(*values).apart()
+    cells = ("" if math.isnan(value) else text for value, text in zip(values, texts, strict=True))
+    return quantity.label, *cells, unit
 
 
 def beside(rows: Iterable[Compared | Cells], labels: Iterable[str], name: str = "") -> Table:

@@ -6,9 +6,14 @@ from nonhertz.amounts import format_digits, format_input, mm, um
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.section import RINGS
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.show.sections import Row
+from nonhertz.show.sections import Row, Section, summary
 
 NO_ROUGHNESS = "give roughness, Rq, of rollers and both rings"
+
+
+def sections(films: Films) -> list[Section]:
+    """Return the sections on the films of a bearing."""
+    return [Section("Film", [summary(film_rows(BearingCase(films.solution.bearing), films))])]
 
 
 def film_rows(case: BearingCase, films: Films | None) -> list[Row]:

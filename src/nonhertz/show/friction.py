@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from nonhertz.amounts import format_digits, newton_mm
+from nonhertz.bearing.friction import Friction
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import joined
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.show.sections import Row
+from nonhertz.show.sections import Row, Section, summary
 
 _NAMES = {
     "rib-limit": "axial load on ribs",
@@ -27,18 +28,27 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     friction, limit = case.friction(solution), case.thermal_speed
     rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "no published factors")]
     if friction is not None:
-        rows = [
-            ("friction torque", f"{newton_mm(friction.torque):3}", "empirical, after Palmgren"),
-            ("", f"{newton_mm(friction.speed_torque):3}", "by speed and oil, M0"),
-            ("", f"{newton_mm(friction.load_torque):3}", "by load, M1"),
-            *([("", "not known", "by ribs, M2: published as a chart")] if friction.axial else []),
-            ("power loss", f"{format_digits(friction.power, 3)} W", ""),
-        ]
+        rows = _torque_rows(friction)
     if limit is not None:
         rows.append(("thermal speed", f"{format_digits(limit, 3)} 1/min", "rating of ISO 15312"))
     elif not missing and row.width is None:
         rows.append(("thermal speed", "not known", "give bearing.width"))
     return rows
+
+
+def sections(friction: Friction) -> list[Section]:
+    """Return the sections on the friction of a bearing."""
+    return [Section("Friction", [summary(_torque_rows(friction))])]
+
+
+def _torque_rows(friction: Friction) -> list[Row]:
+    return [
+        ("friction torque", f"{newton_mm(friction.torque):3}", "empirical, after Palmgren"),
+        ("", f"{newton_mm(friction.speed_torque):3}", "by speed and oil, M0"),
+        ("", f"{newton_mm(friction.load_torque):3}", "by load, M1"),
+        *([("", "not known", "by ribs, M2: published as a chart")] if friction.axial else []),
+        ("power loss", f"{format_digits(friction.power, 3)} W", ""),
+    ]
 
 
 def limit_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from nonhertz.amounts import format_digits, mpa, mrad, newton
 from nonhertz.files.lives import Assessment
-from nonhertz.life import RATED, Model, VolumeModel
+from nonhertz.life import RATED, Life, Model, VolumeModel
 from nonhertz.model.body import BODIES, BodyName
 from nonhertz.show.beside import ABSENT, Cells, beside
 from nonhertz.show.sections import Cell, Notes, Section, Table, assumed_rows, summary
@@ -22,7 +22,7 @@ RATIO = (
     "The factor after × is the ratio to the life in the first column. Ratios are those of roller passes: if the rings "
     "or the number of rollers differ, compare L10."
 )
-_HEADS = ("", "life relative to ideal profile: a", "b", "L10 [10^6 rev]")
+_RELATIVE, _L10 = "life relative to ideal profile", "L10 [10^6 rev]"
 _STRESSES = {"orthogonal_shear": "tau_xz", "shear": "tau_max", "von_mises": "sigma_vM"}
 
 
@@ -32,7 +32,7 @@ def sections(assessment: Assessment) -> list[Section]:
         (life.model.name, *_lives(assessment, number), _integrand(life.model))
         for number, life in enumerate(assessment.lives["a"])
     ]
-    heads = (*_HEADS, "damage")
+    heads = ("", f"{_RELATIVE}: a", "b", _L10, "damage")
     assumptions = [summary(assumed_rows(assessment.assumed))] if assessment.assumed else []
     return [
         Section(
@@ -40,6 +40,15 @@ def sections(assessment: Assessment) -> list[Section]:
             [loads_table(assessment), Table(rows, heads, (0, 4)), *assumptions, Notes(sentences(assessment))],
         )
     ]
+
+
+def life_sections(life: Life) -> list[Section]:
+    """Return the sections on the life of one body by one model."""
+    revolutions = "" if life.million_revolutions is None else of_life(life.million_revolutions)
+    rows = [(life.model.name, of_life(life.relative_life), revolutions, _integrand(life.model))]
+    table = Table(rows, ("", f"{_RELATIVE}: {life.body}", _L10, "damage"), (0, 3))
+    unrated = [f"No life in revolutions: {life.no_revolutions}."] if life.no_revolutions else []
+    return [Section("Life", [table, Notes([_IDEAL, *unrated])])]
 
 
 def compared_section(results: Sequence[tuple[str, Assessment | None]]) -> Section:

@@ -15,12 +15,21 @@ _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Section]:
     """Return the sections on a measured profile and on the profiles fitted to it, best first."""
+    return [Section("", [Notes(measured.trace.notes), summary(rows(measured)), _fitted(fits)])]
+
+
+def fit_sections(fit: ProfileFit) -> list[Section]:
+    """Return the sections on one profile fitted to points."""
+    return [Section("", [_fitted([fit])])]
+
+
+def _fitted(fits: Sequence[ProfileFit]) -> Table:
     fitted = []
     for fit in fits:
         names = [*fit.parameters, *(["shift"] if "shift" in fit.standard_errors else [])]
         residuals = f"{um(fit.rms):.3g}", f"{um(fit.largest):.3g}", f"{fit.penalised - fits[0].penalised:.1f}"
         fitted.append((fit.kind, ", ".join(_parameter(fit, name) for name in names), *residuals))
-    return [Section("", [Notes(measured.trace.notes), summary(rows(measured)), Table(fitted, _FITTED, (0, 1))])]
+    return Table(fitted, _FITTED, (0, 1))
 
 
 def rows(measured: Measured) -> list[Row]:

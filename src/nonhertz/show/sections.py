@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final, NamedTuple, cast
+from typing import TYPE_CHECKING, Final, NamedTuple, TypeGuard, cast
 
 from nonhertz.findings import Finding
 
@@ -135,6 +135,23 @@ def rows_of_summaries(sections: Iterable[Section]) -> list[Row]:
     """Return the rows of all summaries."""
     tables = (block for section in sections for block in section.blocks if isinstance(block, Table))
     return [cast("Row", row) for table in tables if table.layout == SUMMARY for row in table.rows]
+
+
+def group_blocks(sections: Iterable[Section]) -> list[list[Table | Notes]]:
+    """Return what stands together without an empty line; summaries that follow each other are one table."""
+    groups: list[list[Table | Notes]] = []
+    for section in sections:
+        blocks = [block for block in section.blocks if isinstance(block, Table | Notes) and len(block)]
+        if groups and blocks and _is_summary(first := blocks[0]) and _is_summary(before := groups[-1][-1]):
+            groups[-1][-1] = replace(before, rows=[*before.rows, *first.rows])
+            groups[-1] += blocks[1:]
+        elif blocks:
+            groups.append(blocks)
+    return groups
+
+
+def _is_summary(block: Table | Notes) -> TypeGuard[Table]:
+    return isinstance(block, Table) and block.layout == SUMMARY
 
 
 def with_columns_of_remarks(table: Table) -> Table:

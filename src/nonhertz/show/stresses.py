@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
+from typing import Final
 
 from nonhertz.amounts import format_digits, mm, mpa
 from nonhertz.files.stresses import LARGEST, at_station, poisson
 from nonhertz.result.solution import Solution
-from nonhertz.show.sections import Notes, Section, Table
+from nonhertz.show.sections import Notes, Section, Table, summary
 from nonhertz.strength import Strength
 from nonhertz.subsurface import Extreme, Extremes
+
+_OF_STRESS: Final = "Stress below the surface"
 
 
 def sections(solution: Solution, overall: Extremes, section: Extremes, strengths: Iterable[Strength]) -> list[Section]:
@@ -20,23 +23,41 @@ def sections(solution: Solution, overall: Extremes, section: Extremes, strengths
         Notes(sentences(solution, section)),
         Notes(borne, "bullets"),
     ]
-    return [Section("Stress below the surface", blocks)]
+    return [Section(_OF_STRESS, blocks)]
+
+
+def strength_sections(strength: Strength) -> list[Section]:
+    """Return whether one body bears its stresses, check by check, and the largest of them."""
+    checks = summary((check.name, str(check.verdict), check.sentence) for check in strength.checks)
+    return [Section(f"Strength of body {strength.body}", [checks]), *extremes_sections(strength.largest)]
+
+
+def extremes_sections(extremes: Extremes) -> list[Section]:
+    """Return the largest stresses of one body, or of one cross-section of it."""
+    return [Section(_OF_STRESS, [_table({f"in body {extremes.body}": extremes}, lambda extreme: "")])]
 
 
 def stress_table(solution: Solution, overall: Extremes, section: Extremes) -> Table:
     """Return name, largest value, its ratio to the pressure p0 above it, and its position, for each quantity."""
-    (stress, of_stress), (length, of_length) = mpa(overall.von_mises.max).scale, mm().scale
+
+    def share(extreme: Extreme) -> str:
+        pressure = at_station(solution, solution.centre_pressure, extreme.y)
+        return f"{extreme.max / pressure:.4f}" if pressure > 0.0 else ""
+
+    return _table({f"in body {overall.body}": overall, f"at y = {mm(section.von_mises.y):.5g}": section}, share)
+
+
+def _table(places: Mapping[str, Extremes], share: Callable[[Extreme], str]) -> Table:
+    (stress, of_stress), (length, of_length) = mpa(next(iter(places.values())).von_mises.max).scale, mm().scale
 
     def row(name: str, extreme: Extreme) -> tuple[str, ...]:
-        pressure = at_station(solution, solution.centre_pressure, extreme.y)
-        share = f"{extreme.max / pressure:.4f}" if pressure > 0.0 else ""
         x, y, z = (format_digits(length * coordinate, 4) for coordinate in (extreme.x, extreme.y, extreme.z))
         # The stress field of the strips is symmetric about x = 0.
         x = f"+-{x}" if extreme.x > 0.0 else "0"
-        return f"  {name}{', at the bore' * extreme.at_bore}", format_digits(stress * extreme.max), share, x, y, z
+        name = f"  {name}{', at the bore' * extreme.at_bore}"
+        return name, format_digits(stress * extreme.max), share(extreme), x, y, z
 
     heads = ("", f"largest [{of_stress}]", "of p0 there", *(f"{axis} [{of_length}]" for axis in "xyz"))
-    places = {f"in body {overall.body}": overall, f"at y = {mm(section.von_mises.y):.5g}": section}
     rows: list[tuple[str, ...]] = []
     for where, extremes in places.items():
         rows.append((where,))

@@ -14,34 +14,27 @@ from nonhertz.bearing.assessed import NO_OIL
 from nonhertz.bearing.quantities import LIVES
 from nonhertz.files.spreads import Distribution, Spread
 from nonhertz.result.quantities import Quantity
+from nonhertz.show.beside import MOST_LISTED, extremes_table, number_row
 from nonhertz.show.sections import Block, Notes, Row, Section, Table, assumed_rows, summary
-from nonhertz.study.design import Design
+from nonhertz.study.design import Design, Front
 from nonhertz.study.diagrams import Diagram
 from nonhertz.study.figures import in_words
 from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance, is_operating_load
 
-MOST_LISTED = 12  # rows of a sweep that are listed one by one
+#: Of the loads of a front.
+GROUPS = ("under the first loads", "under the second loads")
 STEPS_LISTED = 10  # between the rows of a diagram that are listed
 
 
 def sweep_sections(sweep: Sweep) -> list[Section]:
     """Return the sections on a sweep: its inputs, all rows if they are few, else their extremes, and failures."""
-    results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else _extremes(sweep)
+    results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else extremes_table(_numbers(sweep))
     return [
         Section("", [Notes([_counted(sweep)])]),
         Section("", [summary([*_varied(sweep), *assumed_rows(sweep.assumed)])]),
         Section("", [results, Notes(_failures(sweep), "warning")]),
     ]
-
-
-def _extremes(sweep: Sweep) -> Table:
-    """Return the smallest and the largest value of every quantity."""
-    rows = []
-    for quantity, extremes in _numbers(sweep):
-        (low, high), unit = quantity.amount(*extremes).apart()
-        rows.append((quantity.label, low, high, unit))
-    return Table(rows, ("", "smallest", "largest", ""), (0, 3))
 
 
 def _each_row(sweep: Sweep) -> Table:
@@ -52,16 +45,8 @@ def _each_row(sweep: Sweep) -> Table:
         words = any(isinstance(value, str | bool) for value in values)
         texts, unit = ([*map(str, values)], "") if words else of_dimension(values, sweep.unit(path)).apart("g")
         rows.append((path, *texts, unit))
-    for quantity in (candidate for candidate, _ in _numbers(sweep) if f"load.{candidate.name}" not in sweep.paths):
-        values = sweep[quantity.name].ravel().tolist()
-        texts, unit = quantity.amount(*values).apart()
-        rows.append(
-            (
-                quantity.label,
-                *("" if math.isnan(value) else text for value, text in zip(values, texts, strict=True)),
-                unit,
-            )
-        )
+    results = [quantity for quantity, _ in _numbers(sweep) if f"load.{quantity.name}" not in sweep.paths]
+    rows += [number_row(quantity, sweep[quantity.name].ravel().tolist()) for quantity in results]
     heads = ("row", *map(str, range(len(sweep))), "")
     return Table(rows, heads, (0, len(heads) - 1))
 
@@ -115,7 +100,7 @@ def tolerance_sections(study: Tolerance) -> list[Section]:
     blocks: list[list[Block]] = [[study_table] for study_table in tables if study_table.rows]
     words: Block = Notes([f"{_counted(sweep)}; {study.independent.size} independent samples"])
     if others:
-        blocks.append([Notes([f"Also in tolerance.json: {', '.join(others)}."])])
+        blocks.append([Notes([f"Also calculated: {', '.join(others)}."])])
     blocks[-1:] = [[*blocks[-1], Notes(_failures(sweep), "warning")]]
     return [Section("", section_blocks) for section_blocks in [[words], *blocks]]
 
@@ -145,6 +130,27 @@ def design_sections(design: Design) -> list[Section]:
         Table(starts, ("searches", "evaluations", "from", "to")),
     ]
     return [Section("", [study_table]) for study_table in tables if study_table.rows]
+
+
+def front_sections(front: Front, groups: tuple[str, str] = GROUPS) -> list[Section]:
+    """Return the points of a front: a column for the largest pressure under each group of loads, and for each path."""
+    heads, columns = ["point"], []
+    for name, (values, unit) in front_columns(front, groups).items():
+        cells, read = of_dimension(values, unit).apart()
+        heads.append(f"{name} [{read}]" if read else name)
+        columns.append(cells)
+    rows = [(str(number), *cells) for number, cells in enumerate(zip(*columns, strict=True), start=1)]
+    return [Section("", [Table(rows, heads)])]
+
+
+def front_columns(front: Front, groups: tuple[str, str]) -> dict[str, tuple[Sequence[float], str]]:
+    """Return the numbers of the points by name, with their unit; free profiles are in the case files."""
+    pressures = zip(groups, (front.first, front.second), strict=True)
+    paths = [path for path, value in front.values[0].items() if isinstance(value, float)]
+    return {
+        **{f"largest pressure {group}": (values, "MPa") for group, values in pressures},
+        **{path: ([values[path] for values in front.values], front.units.get(path, "")) for path in paths},
+    }
 
 
 def _numbers(sweep: Sweep) -> Iterator[tuple[Quantity, tuple[float, float]]]:

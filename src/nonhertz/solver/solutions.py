@@ -109,7 +109,7 @@ class Solutions(HasHtml):
         solved = int(np.count_nonzero(self.converged))
         lines = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
         for name in _COLUMNS[:5] if solved else ():
-            quantity, values = QUANTITIES[name], getattr(self, name)[self.converged]
+            quantity, values = QUANTITIES[name], self.column(name)[self.converged]
             lines.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
         if self.failures:
             number, error = next(iter(self.failures.items()))

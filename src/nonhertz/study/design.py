@@ -16,14 +16,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import describe_load, format_digits, of_dimension
+from nonhertz.amounts import describe_load, format_digits, mpa, of_dimension
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import check_callback, thread_count, whole
 from nonhertz.life import ContactLoadCase, Model
 from nonhertz.life.spectrum import check_cases
-from nonhertz.result.brief import HasHtml, plain_text
+from nonhertz.result.brief import HasHtml, ShortRepr, plain_text, warning_lines
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.study.design_task import check_design, find_starts, shares_of
@@ -45,8 +45,8 @@ PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
 
 
-@dataclass(frozen=True)
-class Start:
+@dataclass(frozen=True, repr=False)
+class Start(ShortRepr):
     """One search.
 
     Attributes
@@ -140,7 +140,7 @@ class Design(HasFindings, HasHtml):
             if isinstance(value, float):
                 lines.append(f"{path} = {format_digits(value)} {self.units.get(path, '')}".rstrip())
         lines.append(f"{self.agreeing} of {len(self.starts)} starts came within 1 %")
-        lines += [f"worst: {self.worst}", *self.warnings]
+        lines += [f"worst: {self.worst}", *warning_lines(self.warnings)]
         return plain_text("Design", lines)
 
     @property
@@ -162,8 +162,8 @@ class Design(HasFindings, HasHtml):
         return y, new, old
 
 
-@dataclass(frozen=True)
-class Front(HasFindings):
+@dataclass(frozen=True, repr=False)
+class Front(HasFindings, HasHtml):
     """A Pareto front: no design has less of one pressure without more of the other.
 
     Attributes
@@ -189,6 +189,11 @@ class Front(HasFindings):
     loads: tuple[ContactLoadCase, ...]
     units: dict[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+
+    def __repr__(self) -> str:
+        ends = (str(mpa(min(group), max(group), between=" to ")) for group in (self.first, self.second))
+        pressures = "largest pressure {} under the first loads, {} under the second".format(*ends)
+        return plain_text("Front", [f"{len(self.values)} points", pressures, *warning_lines(self.warnings)])
 
     @cached_property
     def verdict(self) -> Verdict | None:

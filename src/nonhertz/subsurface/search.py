@@ -18,6 +18,7 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import check_list, not_negative, positive
 from nonhertz.model.body import BodyName
 from nonhertz.patch.solution import PatchSolution
+from nonhertz.result.brief import HasHtml
 from nonhertz.result.edges import EdgeKind
 from nonhertz.result.ends import ends_in_words, outermost
 from nonhertz.result.read_only import ReadOnly
@@ -72,7 +73,7 @@ class Extreme(ReadOnly):
 
 
 @dataclass(frozen=True, repr=False)
-class Extremes(HasFindings, ReadOnly):
+class Extremes(HasFindings, ReadOnly, HasHtml):
     """The largest stresses of one body, or of one cross-section of it.
 
     Attributes

@@ -18,7 +18,8 @@ from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.results import plain
 from nonhertz.findings import sentences
-from nonhertz.show.bearing import TOLERANCES, most_loaded, sections
+from nonhertz.show.bearing import most_loaded, sections
+from nonhertz.show.clearances import TOLERANCES
 from nonhertz.show.key_numbers import bearing_numbers
 from nonhertz.show.sections import Table, rows_of_summaries
 from nonhertz.verdict import collect_findings
