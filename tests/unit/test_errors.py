@@ -7,6 +7,7 @@ import pytest
 
 import nonhertz as nh
 from nonhertz.errors import CaseError, UnknownKeyError, nearest
+from nonhertz.files.geometries import bearing_of_designation
 from nonhertz.model.materials import MATERIALS
 
 
@@ -78,6 +79,11 @@ def test_errors_travel_between_processes(error):
 CASE = nh.new_case()
 
 
+def written(path, text):
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -88,10 +94,17 @@ CASE = nh.new_case()
         lambda folder: nh.optimize(CASE, bounds={}),
         lambda folder: nh.files.write_rexs(folder / "a.xml", nh.new_bearing()),
         lambda folder: nh.read_case(folder / "missing.toml", {"load.load": "5 furlongs"}),
+        lambda folder: nh.read_plan(folder / "missing.toml"),
+        lambda folder: nh.read_bearing(written(folder / "case.toml", nh.new_case().text)),
+        lambda folder: nh.read_plan(written(folder / "case.toml", nh.new_case().text)),
+        lambda folder: nh.read_result(folder / "file"),
+        lambda folder: nh.ContactMap.read(folder / "file"),
+        lambda folder: bearing_of_designation("NU 2232"),
     ],
 )
-def test_errors_of_functions_name_arguments_and_no_options(call, tmp_path):
-    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+def test_errors_of_functions_name_no_options_and_no_commands(call, tmp_path):
+    written(tmp_path / "file", "no folder")
     with pytest.raises(nh.NonhertzError) as refused:
         call(tmp_path)
     assert "--" not in str(refused.value)
+    assert "'nonhertz" not in str(refused.value)

@@ -83,7 +83,11 @@ def test_rows_of_ones_own_have_precedence_and_may_be_of_any_kind(tmp_path):
 @pytest.mark.parametrize(
     ("designation", "table", "sentence"),
     [
-        ("NU 2232", None, "such as NU 2230, NU 2228 or NU 2226: give --catalogue, or --geometries with a row of it"),
+        (
+            "NU 2232",
+            None,
+            "such as NU 2230, NU 2228 or NU 2226: give its catalogue data, or geometries with a row of it",
+        ),
         ("N", None, "'N' must be a known cylindrical roller bearing, such as NU 206"),
         ("NU 12345", None, "must be a known cylindrical roller bearing"),
         ("NU 206", "", "geometries = 'own.csv' must be a comma-separated table of designation, kind, d"),

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nonhertz.cli.exit_codes import BAD_INPUT, BROKEN_PIPE, INTERNAL, INTERRUPTED
+from nonhertz.cli.remedies import name_commands
 from nonhertz.errors import CaseError, InputError, Interrupted
 
 _OUT_OF_CALLBACK = 0.02  # s; if this is too early, the interrupt is repeated once more
@@ -121,9 +122,9 @@ def _describe_end(error: BaseException) -> tuple[int, list[str]]:
     verdict = INTERNAL, [f"This is an error in nonhertz ({what}); {report}; {place}."]
     match error:
         case CaseError(mistakes=[_, _, *_]):
-            verdict = BAD_INPUT, [f"{i}. {mistake}" for i, mistake in enumerate(error.mistakes, start=1)]
+            verdict = BAD_INPUT, [f"{i}. {name_commands(mistake)}" for i, mistake in enumerate(error.mistakes, start=1)]
         case CaseError():
-            verdict = BAD_INPUT, [str(error)]
+            verdict = BAD_INPUT, [name_commands(str(error))]
         case InputError(field=field) if field in _OPTIONS:
             verdict = BAD_INPUT, [str(error.about(_OPTIONS[field], error.value))]
         case InputError():

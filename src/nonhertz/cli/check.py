@@ -16,6 +16,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, rename_fields
+from nonhertz.cli.remedies import name_commands
 from nonhertz.errors import joined
 from nonhertz.files.keys import unit_of
 from nonhertz.files.planfile import DESIGN, parse_case_or_bearing, parse_design
@@ -60,7 +61,7 @@ def _is_fine(path: Path, changes: Mapping[str, Any], *, named: bool) -> bool:
         if named:
             print(f"{path}:")
         for number, mistake in enumerate(error.mistakes, start=1):
-            print(f"{number}. {mistake}")
+            print(f"{number}. {name_commands(mistake)}")
         return False
     print(f"{path} is fine: {content}.")
     return True

@@ -13,6 +13,7 @@ from nonhertz import CaseError, Result, read_case
 from nonhertz.cli.answer import Answer
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE, NOT_CONVERGED
 from nonhertz.cli.options import NONE, Changes, refuse_unwritable_out, save_result
+from nonhertz.cli.remedies import name_commands
 from nonhertz.files.folder import write_files
 from nonhertz.files.several import HEAD, Attempt, name_folders, objects, rows
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_missing_writer, write_workbook
@@ -88,7 +89,7 @@ def _attempt_case(path: Path, changes: Mapping[str, Any]) -> Attempt:
         case = read_case(path, changes)
         solution, complaint = try_solve(case)
     except CaseError as error:
-        return Attempt(path, case, complaints=tuple(error.mistakes))
+        return Attempt(path, case, complaints=tuple(map(name_commands, error.mistakes)))
     return Attempt(path, case, solution, (complaint,) if complaint else ())
 
 

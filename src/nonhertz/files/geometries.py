@@ -53,7 +53,9 @@ def _published_bearing(designation: str, rows: Mapping[str, Any]) -> str:
     row = published_geometries().get(size)
     if row is None:
         condition = f"be a known cylindrical roller bearing, such as {joined(_near(designation, size, rows), 'or')}"
-        raise InputError("designation", designation, condition, "give --catalogue, or --geometries with a row of it")
+        raise InputError(
+            "designation", designation, condition, "give its catalogue data, or geometries with a row of it"
+        )
     bearing = {"design": design or "NU", "series": size[:-2]}
     source = f"dimensions, ratings and raceways F and E of size {size}: {row['source']}"
     return text_of_guess(guess_of_catalogue(_symbols(row)), designation.strip(), bearing, source)

@@ -206,7 +206,7 @@ class Plan(Document):
         """
         kind = file_kind(document)
         if kind and not is_plan(document):
-            remedy = f"begin with one from 'nonhertz new --plan', and name the {kind} file in it"
+            remedy = f"write a plan, and name the {kind} file in it"
             raise CaseError([f"{path} must be a plan, and holds a {kind}: {remedy}."], [""])
         try:
             contents = read_input(PlanDocument, document)

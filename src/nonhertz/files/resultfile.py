@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 AnyCase = TypeVar("AnyCase", "Case", "BearingCase")
 
 LARGEST_RESULT = 200_000_000  # bytes
-_WAY_OUT = "give a result.json that 'nonhertz solve', 'nonhertz bearing' or a page wrote"
+_WAY_OUT = "give a result.json that Result.save, the command line or the page wrote"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -20,7 +20,6 @@ from nonhertz.inputs.files import read_bytes
 OF_BEARINGS = ("bearing", "roller", "inner", "outer")
 OF_PLANS = ("case", "over", "tolerance", "vary")
 _CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan"}
-_COMMANDS = {"case": "solve", "bearing": "bearing", "plan": "sweep"}
 
 
 def file_kind(document: Mapping[str, Any]) -> str:
@@ -78,8 +77,8 @@ def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, 
     document = parse(text, str(path))
     kind = file_kind(document)
     if kind and kind not in kinds and "plan" not in kinds:
-        contents, command = joined((_CONTENTS[kind_] for kind_ in kinds), "or"), _COMMANDS[kind]
-        raise CaseError([f"{path} must hold {contents}, not {_CONTENTS[kind]}: use 'nonhertz {command} {path}'."])
+        contents = joined((_CONTENTS[kind_] for kind_ in kinds), "or")
+        raise CaseError([f"{path} must hold {contents}, not {_CONTENTS[kind]}: use nonhertz.read_{kind}."])
     return document, path, text
 
 
@@ -90,8 +89,8 @@ def _explain_unreadable(path: Path, error: OSError | ValueError, what: str, kind
             beside = {file.stem: file for file in path.parent.glob("*.toml")}
             if meant := nearest(path.stem, beside):
                 return f"{path} does not exist. Did you mean {beside[meant]}?"
-            new = "nonhertz new" if kind == "case" else f"nonhertz new --{kind}"
-            return f"{path} must exist: give the path of a {what}, or begin with one from '{new} {path}'."
+            new = "write one that names its case" if kind == "plan" else f"begin with one from nonhertz.new_{kind}"
+            return f"{path} must exist: give the path of a {what}, or {new}."
         case IsADirectoryError():
             return f"{path} must be a file, not a directory: give the path of a {what}."
         case UnicodeDecodeError():

@@ -34,7 +34,7 @@ ARCHIVE = Archive(
     contents="a map",
     undamaged="an undamaged map",
     most=200_000_000,
-    remedy="give a file that ContactMap.save or 'nonhertz map' wrote",
+    remedy="give a file that ContactMap.save or the command line wrote",
     again="make the map again with this nonhertz",
 )
 _TEXTS, _ARRAYS = ("description", "given"), ("numbers", "breaks", "mean_approach", "others", "stations")

@@ -190,7 +190,7 @@ def _judge_strips(contacts: Contacts) -> Iterator[Assumption]:
     yield _judge_smoothness(solutions)
     yield from _judge_grids(solutions)
     element = solutions[0].element
-    remark = "'nonhertz compare' solves a single contact on a plane grid, which assumes no shape."
+    remark = "A comparison of a single contact with a plane grid, which assumes no shape, shows the error."
     if element != SEMI_ELLIPTIC:
         remark = f"The parabola has an error of about 1 % that no refinement removes. {remark}"
     yield Assumption("Pressure across", "has the shape of the strips' element", element.name, remark=remark)
