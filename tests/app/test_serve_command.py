@@ -45,8 +45,8 @@ def test_files_that_a_case_names_become_points(case):
     document, notes, _ = starting_document(case)
     assert document["title"] == "my case"
     assert notes == (
-        "body.a.profile[2]: the page holds the 3 points of points.csv itself.",
-        "body.b.profile[1]: the page holds the 3 points of points.csv itself.",
+        "body.a.profile[2]: the page contains the 3 points of points.csv.",
+        "body.b.profile[1]: the page contains the 3 points of points.csv.",
     )
     points = {"kind": "tabulated", "y": [-12.0, 0.0, 12.0], "relief": [0.004, 0.0, 0.004]}
     assert document["body"]["a"]["profile"][1] == points | {"interpolation": "pchip", "scale": 2.0}
@@ -63,7 +63,7 @@ def test_of_many_points_some_are_kept(case):
     kept = document["body"]["b"]["profile"][0]["y"]
     assert len(kept) <= limits.POINTS
     assert (kept[0], kept[-1]) == (-12.0, 12.0)
-    assert "the 5001 points of points.csv itself, of which every 3rd is kept." in notes[0]
+    assert "the 5001 points of points.csv, of which every 3rd is kept." in notes[0]
 
 
 def test_a_case_that_the_page_does_not_take_is_refused(case, run):

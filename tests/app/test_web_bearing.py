@@ -342,7 +342,7 @@ def test_files_that_a_bearing_names_become_points(tmp_path):
     path.write_text(text.replace('"crown", radius = 1200', '"tabulated", file = "points.csv"'))
     start = starting_document(path)
     assert start.document["title"] == "my bearing"
-    assert start.notes == ("roller.profile[1]: the page holds the 3 points of points.csv itself.",)
+    assert start.notes == ("roller.profile[1]: the page contains the 3 points of points.csv.",)
     assert start.document["roller"]["profile"][0]["relief"] == [0.01, 0.0, 0.01]
     assert answer(start.document)["load"] == solved_file(path)
 

@@ -16,21 +16,21 @@ from nonhertz.files.spreads import parse_number
 from nonhertz.files.toml import to_toml
 from nonhertz.inputs.descriptions import unknown_word_error
 
-#: Symbols of catalogues: what they are called in `from_catalogue`, and the unit of a plain number.
+#: Symbols of catalogues: the argument of `from_catalogue`, the unit of a plain number, and the meaning.
 SYMBOLS: Final = {
-    "d": ("bore", "mm"),
-    "D": ("outside_diameter", "mm"),
-    "B": ("width", "mm"),
-    "C": ("dynamic", "N"),
-    "C0": ("static", "N"),
-    "F": ("inner_raceway", "mm"),
-    "E": ("outer_raceway", "mm"),
-    "Z": ("rollers", ""),
-    "L": ("roller_length", "mm"),
-    "alpha": ("contact_angle", "rad"),
-    "e": ("limiting_ratio", ""),
-    "Y": ("axial_factor", ""),
-    "clearance": ("clearance", "mm"),
+    "d": ("bore", "mm", "bore d"),
+    "D": ("outside_diameter", "mm", "outside diameter D"),
+    "B": ("width", "mm", "width B"),
+    "C": ("dynamic", "N", "dynamic load rating C"),
+    "C0": ("static", "N", "static load rating C0"),
+    "F": ("inner_raceway", "mm", "inner raceway F"),
+    "E": ("outer_raceway", "mm", "outer raceway E"),
+    "Z": ("rollers", "", "number of rollers Z"),
+    "L": ("roller_length", "mm", "roller length L"),
+    "alpha": ("contact_angle", "rad", "contact angle"),
+    "e": ("limiting_ratio", "", "factor e"),
+    "Y": ("axial_factor", "", "factor Y"),
+    "clearance": ("clearance", "mm", "clearance"),
 }
 NEEDED: Final = ("d", "D", "B", "C", "C0")
 _ALIKE: Final = {"T": "B"}  # the width of a tapered bearing
@@ -62,7 +62,7 @@ def guess_of_catalogue(stated: Mapping[str, str]) -> CatalogueGuess:
     try:
         return from_catalogue(**values)
     except InputError as error:
-        symbols = {name: symbol for symbol, (name, _) in SYMBOLS.items()}
+        symbols = {name: symbol for symbol, (name, _, _) in SYMBOLS.items()}
         raise error.about(symbols.get(error.field, error.field), error.value) from None
 
 
@@ -72,7 +72,7 @@ def _argument(symbol: str, text: str) -> tuple[str, Any]:
         return symbol, text
     if symbol not in SYMBOLS:
         raise unknown_word_error("catalogue", symbol, "symbol", (*SYMBOLS, "kind"))
-    name, unit = SYMBOLS[symbol]
+    name, unit, _ = SYMBOLS[symbol]
     try:
         return name, int(text) if name == "rollers" else float(text)
     except ValueError:

@@ -1,6 +1,6 @@
 """The page of ``nonhertz serve``: a case to edit, solved again at every change, on the local machine only.
 
-The server is stateless. A request carries the whole case, the *document*, which is exactly what a case file holds; the
-answer is what the command line would have said. All computing is done in worker processes, which are killed when they
-take too long.
+The server is stateless. A request contains the whole case, the *document*, which has exactly the contents of a case
+file; the answer is the same as on the command line. All computing is done in worker processes, which are killed when
+they take too long.
 """

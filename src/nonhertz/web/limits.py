@@ -14,7 +14,7 @@ from nonhertz.files.toml import OF_BEARINGS
 DOCUMENT_BYTES: Final = 256 * 1024
 UPLOAD_BYTES: Final = 2 * 1024 * 1024
 UPLOAD_POINTS: Final = 30_000
-"""Of a measured file, before its steps; if there are more, neighbours are averaged."""
+"""Points of a measured file, before its steps; neighbours are averaged if there are more."""
 HEADER_BYTES: Final = 32 * 1024
 
 STRIPS: Final = 300
@@ -26,17 +26,17 @@ POINTS: Final = 2000
 KEYS: Final = 40
 
 ROLLERS: Final = 100
-"""In a row of a bearing."""
+"""Rollers in a row of a bearing."""
 LAMINAE: Final = 200
 
 ANSWER_SECONDS: Final = 60.0
-"""Time limit of an answer: the page says that it waits, and nothing is worked out for one who has gone."""
+"""Time limit of an answer; the page shows that it is waiting, and answers for closed pages are given up."""
 GRACE_SECONDS: Final = 6.0
-"""After which a quick answer is given up for which nobody waits: a roller of a new shape takes two seconds."""
+"""Time after which a quick answer that nobody waits for is given up: a roller of a new shape takes two seconds."""
 CURVE_SECONDS: Final = 0.5
-"""After which no further point of a curve is begun."""
+"""Time after which no further point of a curve is started."""
 CURVE_POINTS: Final = 12
-"""In one request."""
+"""Points of a curve in one request."""
 HEAD_SECONDS: Final = 20.0
 """Time limit for the headers of a request to arrive."""
 BODY_SECONDS: Final = 10.0
@@ -44,12 +44,12 @@ REPORT_SECONDS: Final = 120.0
 """Time limit of a report or a picture, which has a process of its own."""
 WAITING_SECONDS: Final = 60.0
 WAITING_REQUESTS: Final = 8
-"""How long, and how many of them, requests wait for a process."""
+"""Time that requests wait for a process, and the largest number of requests that wait."""
 
 _MOST_BITS: Final = 1023
 _ELSEWHERE = "use the command line for more"
 _BODIES: Final = (("body", "a"), ("body", "b"), *((name,) for name in OF_BEARINGS[1:]))
-#: The largest numbers, and the longest lists with what they are lists of.
+#: The largest numbers, and the longest lists with the names of their items.
 _BOUNDS: Final[Mapping[Place, int]] = {
     ("solver", "strips"): STRIPS,
     ("bearing", "rollers"): ROLLERS,
@@ -69,7 +69,7 @@ def refuse(mistakes: list[InputError]) -> None:
 
 
 def unfit(document: dict[str, Any]) -> list[InputError]:
-    """Return where a document has more entries than the page accepts, or null, which exists in JSON but not in TOML."""
+    """Return errors on more entries than the page accepts, and on null, which exists in JSON but not in TOML."""
     absent = (place for place, value in walk(document) if value is None)
     return [
         *too_long(document),
@@ -81,18 +81,18 @@ def unfit(document: dict[str, Any]) -> list[InputError]:
 
 
 def too_slow(document: dict[str, Any]) -> list[InputError]:
-    """Return where a valid case or bearing asks for more work than the page does while the user waits."""
+    """Return errors on inputs of a valid case or bearing that make the page too slow."""
     errors, values = [], dict(walk(document))
     for place, most in _BOUNDS.items():
         value = values.get(place)
-        cheap = place[-1] == "laminae" and "bearing" not in document  # those of a single contact
+        cheap = place[-1] == "laminae" and "bearing" not in document  # in a single contact
         if isinstance(value, int | float) and value > most and not cheap:
             errors.append(InputError(path_of(place), value, f"be at most {most} on the page", _ELSEWHERE))
     return errors
 
 
 def too_long(document: dict[str, Any]) -> list[InputError]:
-    """Return where a document has more entries than a form can show."""
+    """Return errors on lists with more entries than a form can show."""
     errors = []
     for place, entry in walk(document):
         most, what = (KEYS, "keys") if isinstance(entry, dict) else (POINTS, "entries")

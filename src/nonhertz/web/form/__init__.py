@@ -1,1 +1,1 @@
-"""From the case file's schema and a document to the form on the page."""
+"""The form on the page: its schema, units, slider ranges, and points in place of files."""

@@ -1,4 +1,4 @@
-"""Replacing the files that a case names by their points, since the page reads no files."""
+"""Replaces the files that a case names by their points, since the page reads no files."""
 
 from __future__ import annotations
 
@@ -11,10 +11,9 @@ from nonhertz.web.limits import POINTS
 
 
 def inline_files(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return the document of a case or a bearing with points in place of the files that profiles name, and notes on it.
+    """Return the document of a case or a bearing with points in place of files of profiles, and a note on each file.
 
-    The points are those that `Document.write` writes. Profiles become lists in bodies that name files; each file has a
-    sentence.
+    The points are those that `Document.write` writes. In bodies that name files, profiles become lists.
     """
     document, notes, made = case.document, [], dict(body_tables(case.own_document))
     for place, body in body_tables(case.document):
@@ -25,14 +24,14 @@ def inline_files(case: Document) -> tuple[dict[str, Any], tuple[str, ...]]:
             if "file" in table:
                 tables[number], words = _thin(drawn[number])
                 what = f"the {len(drawn[number]['y'])} points of {table['file']}"
-                notes.append(f"{place}.profile[{number + 1}]: the page holds {what} itself{words}.")
+                notes.append(f"{place}.profile[{number + 1}]: the page contains {what}{words}.")
         if tables != profile_tables(body):
             document = Parameter("", (*place.split("."), "profile"), None).put(document, tables)
     return document, tuple(notes)
 
 
 def _thin(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
-    """Return a table with no more points than the page takes, and in words which are kept; nothing if all are."""
+    """Return a table with no more points than the page accepts, and which are kept in words; "" if all are."""
     count = len(table["y"])
     step = -(-count // POINTS)
     if step <= 1:

@@ -1,9 +1,8 @@
-"""What a form has of the physics: the slider range of each quantity, and what a key that is added begins with.
+"""The slider range of each quantity, and the initial value of a key that is added.
 
-What loads a contact or a bearing, the relief of a profile and what is cut out of a body have ranges that follow from
-the geometry, up to where a drag leads nobody by mistake: loads up to a pressure that hardened steel just bears, tilts
-up to where a roller lifts off. They do not follow from the value of the quantity itself, so that they keep still while
-it is dragged.
+The ranges of loads, displacements, relief and corners follow from the geometry and end where no sensible case lies
+beyond: loads at a pressure that hardened steel just withstands, tilts where a roller lifts off. They do not depend on
+the value of the quantity itself, so that they do not move while it is dragged.
 """
 
 from __future__ import annotations
@@ -31,17 +30,17 @@ from nonhertz.model.contact import Contact
 MOST_PRESSURE: Final = 3500.0
 """MPa; ISO 76 takes 4000 as the limit of a roller at rest."""
 _USUAL: Final = 0.3  # of the largest load: some 1900 MPa
-_AXIAL: Final = 0.25  # of the radial load, what ribs bear
+_AXIAL: Final = 0.25  # of the radial load, which ribs can support
 _DECADES: Final = 1e-3  # of the largest load, down to which a slider goes
 _RELIEFS: Final = ("amplitude", "drop", "zm")
 _MOST_DROP: Final = 0.01  # of the length: more than a contact reaches
 _WITHIN: Final = 0.48  # of the length: some profiles have no end at the end of the body
-_TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups of catalogues
-_FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond what rolling bearings do with oil
+_TIGHT, _LOOSE = 1e-3, 3e-3  # of the pitch diameter: beyond the clearance groups in catalogues
+_FASTEST: Final = 1e6  # mm/min, pitch diameter times speed: beyond that of oil-lubricated rolling bearings
 _FITTING: Final = ("roller.diameter", "inner.diameter", "outer.diameter", "bearing.pitch_diameter")
 _STOPS: Final = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0)
-_NOTICEABLE: Final = 0.1  # of the length of a body, by which a slider moves a profile
-_HALVES: Final = (1.0, 2.0, 2.5, 5.0, 10.0)  # on both sides of zero: a thousandth of the whole is round, too
+_NOTICEABLE: Final = 0.1  # of the length of a body: the range of shifts of a profile
+_HALVES: Final = (1.0, 2.0, 2.5, 5.0, 10.0)  # of ranges around zero; a thousandth of the whole is round as well
 
 
 @dataclass(frozen=True)
@@ -68,8 +67,8 @@ LENGTH: Final = Range(0.5, 500.0, "log", 20.0)
 DIAMETER: Final = Range(1.0, 2000.0, "log", 20.0)
 STRENGTH: Final = Range(10.0, 5000.0, "log", 1500.0)
 TEMPERATURE: Final = Range(-40.0, 200.0, "linear", 20.0)
-#: By key, which denotes the same quantity throughout a file, or by the last two; the radius of a profile for a design
-#: load is the one across the contact. Where a geometry is known, its own ranges take the place of these.
+#: By key, which denotes the same quantity throughout a file, or by the last two keys; the radius of a profile for a
+#: design load is the one across the contact. The ranges of a known geometry replace these.
 RANGES: Final[dict[str, Range]] = {
     **dict.fromkeys(("core_yield_strength", "yield_strength"), STRENGTH),
     **dict.fromkeys(("inner_temperature", "outer_temperature", "roller_temperature", "temperature"), TEMPERATURE),
@@ -127,20 +126,20 @@ ENDS: Final[dict[str, list[float]]] = {
 
 
 def form_state(document: dict[str, Any], file: Literal["case", "bearing"]) -> dict[str, Any]:
-    """Return what the form of a document takes from its geometry, as JSON.
+    """Return the parts of a form that depend on the geometry of its document, as JSON.
 
     Parameters
     ----------
     document : dict
         A case, or a bearing, valid or not.
     file : {"case", "bearing"}
-        Which of them it is.
+        The kind of document.
 
     Returns
     -------
     dict
-        ``"ranges"``: by key, the range of its slider, null where it has none; ``"bodies"``: by path, what is of one
-        body alone: its own ``"ranges"``, its usual ``"depth"``, and the ``"sizes"`` of its profile by key.
+        ``"ranges"``: by key, the range of its slider, null if it has none; ``"bodies"``: by path of a body, its own
+        ``"ranges"``, its default ``"depth"``, and the ``"sizes"`` of its profile by key.
     """
     names = ("a", "b") if file == "case" else OF_BEARINGS[1:]
     within = document.get("body") if file == "case" else document
@@ -165,7 +164,7 @@ def _body_state(body: dict[str, Any], table: Table) -> dict[str, Any]:
 
 
 def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]:
-    """Return the ranges of the sliders of a document, by key: those of its geometry as far as that has no mistakes."""
+    """Return the ranges of the sliders of a document, by key: those of its geometry if it has no mistakes."""
     try:
         if file == "case":
             bodies = read_input(Bodies, document.get("body"), read_context(document, None))
@@ -179,7 +178,7 @@ def ranges_of(document: dict[str, Any], file: str) -> Mapping[str, Range | None]
 
 
 def of_body(table: Mapping[str, Any]) -> dict[str, Range]:
-    """Return the ranges of what lies on a body or is cut out of it, as far as its length and diameter are known."""
+    """Return the ranges of profile, corners and bore of a body, as far as its length and diameter are known."""
     length, diameter = (size_of(name, table.get(name)) for name in ("length", "diameter"))
     corner = Range(_DECADES * length, 0.25 * length, "log", 0.05 * length)
     of_length = {
@@ -192,7 +191,7 @@ def of_body(table: Mapping[str, Any]) -> dict[str, Range]:
 
 
 def size_of(name: str, value: Any) -> float:
-    """Return the size of a dimension [mm]; zero where it is not a plain one."""
+    """Return the size of a dimension [mm]; zero if it is not a single number."""
     try:
         size = to_unit(name, value, "mm")
     except InputError:
@@ -201,7 +200,7 @@ def size_of(name: str, value: Any) -> float:
 
 
 def _read(body: dict[str, Any], table: Table) -> Body | None:
-    """Return the body of a table; None where it has mistakes."""
+    """Return the body of a table; None if it has mistakes."""
     try:
         return read_input(Body, body, read_context({}, None), likely=table.likely)
     except InputError:
@@ -209,7 +208,7 @@ def _read(body: dict[str, Any], table: Table) -> Body | None:
 
 
 def _usual_depth(document: dict[str, Any], table: Table) -> str:
-    """Return the depth of a body that gives none; nothing where it has mistakes."""
+    """Return the default depth of a body in words; "" if the body has mistakes."""
     body = _read(
         {name: value for name, value in document.items() if name not in ("depth", "profile", "chamfer")}, table
     )
@@ -217,7 +216,7 @@ def _usual_depth(document: dict[str, Any], table: Table) -> str:
 
 
 def _sizes(document: dict[str, Any], table: Table) -> dict[str, float]:
-    """Return drop and parameters of a body's profile, where it has a single one that is neither moved nor stretched."""
+    """Return drop and parameters of a body's profile, if it has a single one that is neither shifted nor scaled."""
     body = _read(document, table) if _has_plain_profile(document) else None
     if body is None or body.profile.catalogue_entry is None:
         return {}
@@ -231,13 +230,13 @@ def _sizes(document: dict[str, Any], table: Table) -> dict[str, float]:
 
 
 def _has_plain_profile(document: dict[str, Any]) -> bool:
-    """Return whether a body has a single profile, which is neither moved nor stretched."""
+    """Return whether a body has a single profile, neither shifted nor scaled."""
     tables = profile_tables(document) if isinstance(document.get("profile"), list | dict) else []
     return len(tables) == 1 and isinstance(tables[0], dict) and not {"at", "shift", "scale", "flip"} & set(tables[0])
 
 
 def _can_be_moved(document: dict[str, Any], table: Table) -> bool:
-    """Return whether the profiles of a body leave room to be moved: beside corners, a bounded one leaves none."""
+    """Return whether the profiles of a body can be shifted: bounded ones between corners cannot."""
     if not {"corner_radius", "chamfer"} & set(document) or not isinstance(document.get("profile"), list | dict):
         return True
     shift = _NOTICEABLE * size_of("length", document.get("length"))
@@ -260,7 +259,7 @@ def _of_contact(contact: Contact) -> dict[str, Range]:
     return ranges | {
         "approach": _upwards(deepest, usual / deepest),
         "tilt": _around(2.0 * usual / length),
-        "moment": _around(_USUAL * most * length / 6.0),  # at one end there is then no load
+        "moment": _around(_USUAL * most * length / 6.0),  # this unloads one end
         **dict.fromkeys(("position", "shift", "centre"), _around(half)),
         **dict.fromkeys(_RELIEFS, _upwards(_MOST_DROP * length, 0.1)),
     }
@@ -274,7 +273,7 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
         return {}
     number, pitch, length = row.rollers * len(rows.rows), row.pitch, row.roller_length
     inclined = row.nominal_angle
-    # Of as many rollers under a radial load the most loaded one bears a fifth (ISO 76).
+    # The most loaded roller takes 5 / (number of rollers) of a radial load (ISO 76).
     radial, axial = most * number * math.cos(inclined) / 5.0, most * number * math.sin(inclined)
     usual = _compression(row.contacts[0], _USUAL * most)
     moved, loose = _around(_LOOSE * pitch), Range(0.0, _stop(_LOOSE * pitch), "linear", 0.0)
@@ -294,14 +293,14 @@ def _of_bearing(rows: RollerBearing | Paired) -> dict[str, Range | None]:
         "speed": Range(0.01 * _stop(_FASTEST / pitch), _stop(_FASTEST / pitch), "linear", 0.0),
         **dict.fromkeys(_RELIEFS, _upwards(_MOST_DROP * length, 0.1)),
     }
-    # A bearing has no sliders for what it does not bear, and none for diameters that have to fit each other.
+    # No sliders for loads that a bearing cannot support, and none for diameters that depend on each other.
     unborne = [name for name in ("radial", "axial", "moment") if not _bears(rows, name)]
     fitting = [] if row.inner.diameter is None else _FITTING
     return ranges | dict.fromkeys((*unborne, *fitting))
 
 
 def _of_seat(name: str, ring: Body, *shares: float) -> dict[str, Range]:
-    """Return the range of the diameter of a ring's seat, by lowest, usual and highest share of that of its raceway."""
+    """Return the range of the diameter of a ring's seat, by its lowest, usual and highest ratio to the raceway."""
     if not isinstance(ring.diameter, float):
         return {}
     low, usual, high = (float(f"{share * abs(ring.diameter):.4g}") for share in shares)
@@ -319,8 +318,7 @@ def _bears(rows: RollerBearing | Paired, name: str) -> bool:
 def _most_load(contact: Contact) -> float:
     """Return the load [N] under which the pressure in the middle is `MOST_PRESSURE`.
 
-    That of a line or, where the bodies are so curved along the axis that it is less, of a point; zero where there is no
-    body around the middle.
+    It is the smaller of those of a line contact and of a point contact; zero if the bodies do not meet in the middle.
     """
     low, high = contact.interval
     middle = 0.5 * (low + high) if math.isfinite(high - low) else 0.0
@@ -338,7 +336,7 @@ def _most_load(contact: Contact) -> float:
 
 
 def _compression(contact: Contact, load: float) -> float:
-    """Return about how far bodies of finite length approach each other under a load [mm]."""
+    """Return a rough approach [mm] of bodies of finite length under a load [N]."""
     length = contact.interval[1] - contact.interval[0]
     radius = 1.0 / float(contact.curvature(sum(contact.interval) / 2.0))
     line = line_contact(line_load=load / length, radius=radius, compliance=contact.compliance)
@@ -346,7 +344,7 @@ def _compression(contact: Contact, load: float) -> float:
 
 
 def _upwards(most: float, usual: float) -> Range:
-    """Return a range of ratios up to a stop, with a share of it to start from."""
+    """Return a logarithmic range up to a stop; it starts at the fraction ``usual`` of it."""
     high = _stop(most)
     return Range(_DECADES * high, high, "log", _stop(usual * high))
 

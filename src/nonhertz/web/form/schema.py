@@ -1,4 +1,4 @@
-"""The JSON schema of a file as the page needs it: that for editors, with hints for a form."""
+"""The JSON schema of a file for the page: that for editors, with hints for a form."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from nonhertz.inputs.descriptions import OneOrTwo, Part
 
 Schema = dict[str, Any]
 
-#: What a kind of body needs; a diameter if it is not listed.
+#: The keys that a kind of body needs; a diameter if it is not listed.
 _NEEDED: Final = {"roller": ("diameter", "length"), "plate": ()}
-#: Of a bearing file, what another kind of bearing leaves as it is.
+#: The tables of a bearing file that do not change with the kind of bearing.
 _OF_ALL_BEARINGS: Final = ("format", "solver", "report")
 
 
@@ -27,11 +27,11 @@ _OF_ALL_BEARINGS: Final = ("format", "solver", "report")
 def form_schema(file: str) -> Schema:
     """Return the JSON schema of a case file or a bearing file with hints.
 
-    Of a table, ``x-pairs`` lists keys of which one is given in place of the other, ``x-apart`` groups of which no two
-    are, and ``x-kinds`` has by kind the keys, those that are needed, and words of keys of which others are for other
-    kinds. Of a key, ``x-words`` are the names that may
-    stand for it, and ``x-names`` tells its two values apart, of which one alone is that of the number ``x-single``. The
-    schema of a bearing has documents of all kinds in ``x-examples``.
+    In a table, ``x-pairs`` lists pairs of keys of which one replaces the other, ``x-apart`` groups of keys of which at
+    most one is given, and ``x-kinds`` has for each kind its keys, those that it needs, and the words that its keys may
+    have. In a key, ``x-words`` are names that may replace its value, ``x-names`` names its two values, and ``x-single``
+    is the number of the one that a single value stands for. The schema of a bearing has documents of all kinds in
+    ``x-examples``.
     """
     schema = schema_of(file)
     for table, place in _tables(table_of(_whole(file)), schema, schema["$defs"], set()):
@@ -48,7 +48,7 @@ def _whole(file: str) -> Any:
 
 
 def _tables(table: Table, place: Schema, definitions: Schema, seen: set[str]) -> Iterator[tuple[Table, Schema]]:
-    """Yield the table of a file and all within, with the schema of each."""
+    """Yield the table of a file and all tables within it, each with its schema."""
     yield table, place
     for name, key in table.keys.items():
         inner = list(_objects(place["properties"][name]))
@@ -61,7 +61,7 @@ def _tables(table: Table, place: Schema, definitions: Schema, seen: set[str]) ->
 
 
 def _objects(place: Schema) -> Iterator[Schema]:
-    """Yield the schemas of tables that may stand in a place, alone or in a list, but for references."""
+    """Yield the schemas of the tables that a place may have, alone or in a list, except references."""
     if "properties" in place:
         yield place
         return
@@ -77,7 +77,7 @@ def _of_kind(word: str, kind: Table) -> Schema:
 
 
 def _hints(key: Key) -> Schema:
-    """Return what the schema of a key does not say."""
+    """Return the hints that are missing in the schema of a key."""
     match key.description:
         case OneOrTwo(names=names, single=single):
             return {"x-names": names, "x-single": single}
@@ -87,7 +87,7 @@ def _hints(key: Key) -> Schema:
 
 
 def _examples() -> dict[str, dict[str, Any]]:
-    """Return by kind of bearing what makes any other bearing an example of it."""
+    """Return by kind of bearing the tables that turn any bearing into an example of it."""
     documents = [parse(starting_bearing(name), name) for name in BEARING_TEMPLATES]
     names = [name for name in BearingFile.descriptions if name not in _OF_ALL_BEARINGS]
     return {document["bearing"]["kind"]: {name: document.get(name) for name in names} for document in documents}

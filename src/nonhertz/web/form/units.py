@@ -1,4 +1,4 @@
-"""The units to choose from beside a field, and from which size on a plain number is shown in another one."""
+"""The units to choose from beside a field, and the sizes above which plain numbers are shown in other units."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Final
 from nonhertz.amounts import INCH, POUND_FORCE
 from nonhertz.files.keys import MICROMETRES
 
-#: Per base unit, words as files have them and their size.
+#: By base unit, units as written in files, and their sizes.
 CHOICES: Final[dict[str, dict[str, float]]] = {
     "mm": {"um": 1e-3, "mm": 1.0, "m": 1e3, "in": INCH, "uin": 1e-6 * INCH},
     "N": {"N": 1.0, "kN": 1e3, "lbf": POUND_FORCE},
@@ -20,9 +20,9 @@ CHOICES: Final[dict[str, dict[str, float]]] = {
     "t/mm^3": {"t/mm^3": 1.0, "kg/m^3": 1e-12},
 }
 SLOPE: Final = "um/mm"
-"""Of this the angle is not proportional to the number."""
+"""A slope: the angle is not proportional to it."""
 
-#: Per base unit, in ascending order: from which size on a plain number is shown in which unit.
+#: By base unit, in ascending order: the size above which a plain number is shown in a unit.
 SHOWN_IN: Final[dict[str, list[tuple[float, str]]]] = {
     "N": [(0.0, "N"), (1e3, "kN")],
     "MPa": [(0.0, "MPa"), (1e4, "GPa")],
@@ -32,5 +32,5 @@ SHOWN_IN: Final[dict[str, list[tuple[float, str]]]] = {
 
 
 def units_of_fields() -> dict[str, Any]:
-    """Return what a page needs to show and read numbers with their units."""
+    """Return the data with which a page shows and reads numbers with units."""
     return {"choices": CHOICES, "shown_in": SHOWN_IN, "micrometres": sorted(MICROMETRES)}

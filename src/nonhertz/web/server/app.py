@@ -1,4 +1,4 @@
-"""The pages as one application: their routes, files, and what is answered where something goes wrong."""
+"""The pages as one application: their routes, their files, and the answers to errors."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from nonhertz.web.view.jobs import document_in
 from nonhertz.web.view.replies import broken, refusal, reply
 from nonhertz.web.view.uploads import answer_to_file
 
-#: In place of what HTTP calls them.
+#: In place of HTTP's own phrases.
 _SENTENCES: Final = {
     "Not Found": "There is nothing at this address.",
     "Method Not Allowed": "This address does not accept this method.",
 }
-# Some systems think of scripts as plain text, which no browser runs.
+# Some systems declare scripts as plain text, which no browser runs.
 mimetypes.add_type("text/javascript", ".js")
 
 
@@ -45,13 +45,13 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
     Parameters
     ----------
     document : dict
-        The case or the bearing that it starts with.
+        The initial case or bearing.
     port : int
-        The port it is served on; requests for another address are refused.
+        The port on which it is served; requests for another address are refused.
     workers : int
-        Number of processes of each page that answer at once.
+        Number of processes of each page for quick answers.
     text : str
-        The file that this was read from, for its comments.
+        The text of the file of ``document``, for its comments.
     """
     loader = jinja2.PackageLoader("nonhertz.web")
     templates = jinja2.Environment(loader=loader, autoescape=True, undefined=jinja2.StrictUndefined)
@@ -103,13 +103,13 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
 async def _refused(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     sentence = _SENTENCES.get(error.detail, error.detail)
-    if "text/html" in request.headers.get("accept", ""):  # an address that somebody has typed
+    if "text/html" in request.headers.get("accept", ""):  # a typed address
         return PlainTextResponse(sentence, error.status_code)
     return refusal(error.status_code, sentence)
 
 
 async def _ended(request: Request, error: Exception) -> Response:
-    # Another process is being started: the case is not at fault, and the page asks again.
+    # A new process is being started: the case is not at fault, and the page asks again.
     return refusal(503, "The process that was solving this case was killed by the system: try again.")
 
 

@@ -1,7 +1,7 @@
-"""Which requests are accepted, in which units they are answered, and the headers of every answer.
+"""Checks of requests, the units of their answers, and the headers of every answer.
 
-The server listens on this machine only, but any page in the browser can reach it there. So a request must name this
-server as its host, which defeats DNS rebinding, and must not come from another site's page.
+The server listens on this machine only, but any page in the browser can reach it. So a request must name this server as
+its host, which defeats DNS rebinding, and must not come from a page of another site.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ HEADERS: Final = {
     "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
 }
 UNITS: Final = "nonhertz-units"
-"""Header of a request: the code of the units in which it is answered, SI where it is missing."""
+"""Header of a request with the code of the units of its answer; SI if it is missing."""
 
 
 class Guard:
@@ -49,7 +49,7 @@ class Guard:
     Parameters
     ----------
     app : ASGI application
-        Answers all other requests.
+        Answers the accepted requests.
     port : int
         The port that the server listens on.
     """
@@ -78,14 +78,14 @@ class Guard:
             await app(scope, receive, _with_headers(send))
 
     def reason(self, scope: Scope) -> str | None:
-        """Return why a request is refused, None if it is not."""
+        """Return why a request is refused; None if it is accepted."""
         headers = Headers(scope=scope)
         if headers.getlist("host") != [headers.get("host")] or headers["host"].lower() not in self.hosts:
             return "The page answers only at its own address: use the one that 'nonhertz serve' printed."
         origins = headers.getlist("origin")
         if any(origin.lower() not in self.origins for origin in origins):
             return "The page answers no requests from other pages."
-        # To follow a link to a page is as harmless as to type its address.
+        # Following a link to a page is as harmless as typing its address.
         navigates = (headers.get("sec-fetch-mode"), headers.get("sec-fetch-dest")) == ("navigate", "document")
         opens = scope["method"] == "GET" and scope["path"] in PAGES and navigates
         if not opens and any(site not in _OWN_SITES for site in headers.getlist("sec-fetch-site")):
@@ -97,7 +97,7 @@ def _with_headers(send: Send) -> Send:
     async def send_with_headers(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
-            # Files of the page are kept as long as they do not change.
+            # Browsers keep files of the page until they change.
             for name, value in (HEADERS | {"Cache-Control": "no-cache" if "etag" in headers else "no-store"}).items():
                 headers.setdefault(name, value)
         await send(message)

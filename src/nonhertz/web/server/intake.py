@@ -93,7 +93,7 @@ def in_script(value: Any) -> str:
 def as_attachment(name: str, document: dict[str, Any]) -> dict[str, str]:
     """Return the header that makes a browser save a file, named after the ASCII letters and digits of the title.
 
-    What is neither the document's own file nor a report has its own name behind that.
+    Files other than the document's own file and the report have their own names appended.
     """
     title = str(document.get("title", ""))[:200].lower()
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in title).split()

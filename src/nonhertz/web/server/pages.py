@@ -1,4 +1,4 @@
-"""The routes of a page: its HTML, what its form needs, and the answers to what is asked of a document."""
+"""The routes of a page: its HTML, the data of its form, and the answers to questions about a document."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from starlette.routing import Route
 from nonhertz import __version__
 from nonhertz.errors import CaseError
 from nonhertz.files.toml import parse
+from nonhertz.web.form.catalogue import catalogue_form
 from nonhertz.web.form.ranges import ENDS, form_state
 from nonhertz.web.form.schema import form_schema
 from nonhertz.web.form.units import units_of_fields
@@ -37,8 +38,8 @@ from nonhertz.web.server.questions import Kind, Question
 from nonhertz.web.server.workers import Job, TooSlowError, Workers
 from nonhertz.web.view.replies import Refusal, as_bytes, broken, misfit, reply
 
-_LISTENING: Final = 0.1  # s between looks whether the browser still waits
-#: Of files to save, by the endings of their names.
+_LISTENING: Final = 0.1  # s between checks that the browser still waits
+#: Content types of files to save, by the endings of their names.
 _TYPES: Final = {
     **{ending: f"text/{ending}" for ending in ("csv", "html")},
     **{ending: f"application/{ending}" for ending in ("toml", "json")},
@@ -52,13 +53,13 @@ class Page:
     Parameters
     ----------
     kind : Kind
-        Which.
+        Single contacts or bearings.
     document, text
-        What it starts with, and the file that this was read from, for its comments.
+        The initial document, and the text of its file, for its comments.
     workers : int
-        Number of processes that answer at once.
+        Number of processes for quick answers.
     templates : jinja2.Environment
-        Those of the pages.
+        The templates of the pages.
     """
 
     def __init__(
@@ -66,7 +67,8 @@ class Page:
     ) -> None:
         self.kind, self.document, self.text, self.templates = kind, document, text, templates
         self.quick = Workers(workers, kind.quick)
-        # Where strips are waited for at every rest of a slider, the process is ready for them; else it is started late.
+        # If strips are solved at every rest of a slider, their process must be ready; otherwise it is started when
+        # needed.
         ready = kind.patient is kind.quick
         self.patient = Workers(min(workers, 1) if ready else 1, kind.patient, eager=ready)
         self.processes = (self.quick, self.patient)
@@ -89,7 +91,7 @@ class Page:
         limits = {"upload_bytes": UPLOAD_BYTES, "document_bytes": DOCUMENT_BYTES, "strips": STRIPS}
         start = {"document": self.document, "text": self.text, "version": __version__, "limits": limits}
         form = {"schema": form_schema(self.kind.name), "units": units_of_fields(), "lists": ENDS}
-        form["state"] = form_state(self.document, self.kind.name)
+        form |= {"state": form_state(self.document, self.kind.name), "catalogue": catalogue_form()}
         whole = self.templates.get_template(f"{self.kind.name}.html").render(
             start=Markup(in_script(start | {"form": form})),
             version=__version__,
@@ -99,7 +101,7 @@ class Page:
         return HTMLResponse(whole)
 
     async def form(self, request: Request) -> Response:
-        """Answer with what the form of a document takes from its geometry."""
+        """Answer with the parts of a form that depend on the geometry of its document."""
         (document,) = Question(form_state).read(await _asked(request))
         try:
             refuse(too_long(document))
@@ -108,7 +110,7 @@ class Page:
         return reply(await anyio.to_thread.run_sync(form_state, document, self.kind.name))
 
     def answering(self, route: str, question: Question) -> Callable[[Request], Awaitable[Response]]:
-        """Return what answers a question about a document, with a file to save where the route ends in its name."""
+        """Return the handler of a question about a document; it answers with a file if the route ends in its name."""
 
         async def answer(request: Request) -> Response:
             document, *wishes = question.read(await _asked(request))
@@ -130,7 +132,7 @@ class Page:
         return answer
 
     async def read(self, request: Request, kind: str, most: int, command: str, job: Job, *wishes: Any) -> Response:
-        """Answer with what a job finds in a file that is sent, of a content type and so many bytes at most."""
+        """Answer with the result of a job on an uploaded file of content type ``kind`` and at most ``most`` bytes."""
         work = partial(self.quick.run, job, await content(request, kind, most), *wishes, seconds=ANSWER_SECONDS)
         return _response(await while_awaited(request, work, command))
 
@@ -147,7 +149,7 @@ class Page:
         return reply({"ready": self.quick.ready.is_set()})
 
     def routes(self) -> list[Route]:
-        """Return the routes of the page, but for its own address."""
+        """Return the routes of the page, except its own address."""
         at = self.kind.at
         return [
             Route(f"{at}status", self.status),
@@ -163,18 +165,18 @@ class Page:
 async def while_awaited(
     request: Request, work: Callable[[], Awaitable[bytes]], command: str, grace: float = GRACE_SECONDS
 ) -> bytes | None:
-    """Return what a job makes for as long as the browser waits for it, None if it has gone: the job is ended then.
+    """Return the result of a job while the browser waits for it; if it has gone, end the job and return None.
 
     Parameters
     ----------
     request : Request
-        Whose sender waits.
+        The request to answer.
     work : callable
-        Does the job.
+        Runs the job.
     command : str
-        The one to use where it takes too long, which a sentence says.
+        The command named in the error if the job takes too long.
     grace : float
-        For how long a job that nobody waits for may go on [s]: to start another process costs more than most answers.
+        Time that a job which nobody waits for may go on [s]: starting another process costs more than most answers.
     """
     made: bytes | None = None
     failure: Exception | None = None

@@ -1,4 +1,4 @@
-"""The two pages, of a contact and of a bearing: what can be asked of their documents, and who works it out.
+"""The two pages, of a contact and of a bearing: questions about their documents, and the processes that answer.
 
 A bearing is solved by slices while a slider is dragged, and by strips when it rests.
 """
@@ -24,7 +24,7 @@ from nonhertz.web.view.curves import curve
 
 
 class Wish(NamedTuple):
-    """Something that a request may say: what is accepted, what is wrong with all else, and what nothing stands for."""
+    """An entry of a request: a check of its value, the sentence on a wrong value, and its default."""
 
     fits: Callable[[Any], bool]
     sentence: str
@@ -36,12 +36,12 @@ def _are_numbers(values: Any) -> bool:
     return some and all(type(value) in {int, float} and is_number(value) for value in values)
 
 
-#: By its key in a request.
+#: The entries of requests, by their keys.
 WISHES: Final[Mapping[str, Wish]] = {
     "document": Wish(
         lambda value: isinstance(value, dict), "The request must have a document, structured like a case file."
     ),
-    # The text of the file that the document was read from, if there is one.
+    # The text of the file of the document, if it was read from one.
     "text": Wish(lambda value: isinstance(value, str), "The text must be that of a file.", ""),
     "stress": Wish(lambda value: isinstance(value, bool), "stress must be true or false.", False),
     "body": Wish(lambda value: value in BODIES, "body must be 'a' or 'b'.", "a"),
@@ -57,20 +57,20 @@ WISHES: Final[Mapping[str, Wish]] = {
 
 @dataclass(frozen=True)
 class Question:
-    """What can be asked of a document.
+    """A question about a document.
 
     Attributes
     ----------
     job : callable
-        Works out the answer from the document and the wishes.
+        Computes the answer from the document and the wishes.
     wishes : tuple of str
-        What else a request says, by the keys of `WISHES`.
+        Further entries of a request, by the keys of `WISHES`.
     whom : {"quick", "patient", "apart"}
-        The processes that answer at once, the one that may take long, or one started for it.
+        The processes for quick answers, the one for slow answers, or one started for the question.
     command : str
-        That to use where it takes longer than the page waits.
+        The command to use if the answer takes longer than the page waits.
     at_once : str
-        A first wish that is quick to answer all the same; empty if there is none.
+        A value of the first wish for which the answer is quick; empty if there is none.
     """
 
     job: Job
@@ -85,7 +85,7 @@ class Question:
         Raises
         ------
         HTTPException
-            If it has none, or others.
+            If one of them is missing or wrong.
         """
         wishes = {name: request.get(name, WISHES[name].usual) for name in ("document", *self.wishes)}
         for name, value in wishes.items():
@@ -96,22 +96,22 @@ class Question:
 
 @dataclass(frozen=True)
 class Kind:
-    """A page: of which files it is, what it can be asked, and how its processes begin.
+    """A page: the kind of its documents, the questions that it answers, and how its processes start.
 
     Attributes
     ----------
     name : {"case", "bearing"}
-        What its document is.
+        The kind of its document.
     at : str
-        Where its routes are.
+        The common beginning of its routes.
     templates : mapping of str to str
-        What to begin with, in words by their names.
+        Templates to start from: their descriptions by name.
     template : callable
-        Returns the text of one of them, or of the one to start with.
+        Returns the text of a template, or of the initial one.
     questions : mapping of str to Question
-        What can be asked, by its route; files to save are below ``download/``.
+        Questions by route; files to save are below ``download/``.
     quick, patient : callable
-        What the processes begin with.
+        Warm-up of the processes for quick and for slow answers.
     """
 
     name: Literal["case", "bearing"]
@@ -149,7 +149,7 @@ BEARING: Final = Kind(
     starting_bearing,
     {
         "solve": Question(jobs.load, ("method", "roller"), "patient", "bearing", at_once="slices"),
-        # By the process that has solved it by strips already.
+        # By the process that has already solved the bearing by strips.
         "roller": Question(jobs.lines, ("method", "roller"), "patient", "bearing"),
         "contact": Question(jobs.contact, ("roller", "ring"), "patient", "bearing"),
         "catalogue": Question(jobs.catalogue, command="new"),

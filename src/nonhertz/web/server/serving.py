@@ -21,7 +21,7 @@ from nonhertz.web.server.guard import Guard
 
 HOST: Final = "127.0.0.1"
 CONNECTIONS: Final = 256
-"""Simultaneous ones; a browser opens up to six."""
+"""Simultaneous connections; a browser opens up to six."""
 
 
 def listening(port: int) -> socket.socket:
@@ -63,7 +63,7 @@ def serve(
     Parameters
     ----------
     document : dict
-        The case to start with.
+        The initial case or bearing.
     port : int
         The port; 0 for any free one.
     browser : bool
@@ -71,7 +71,7 @@ def serve(
     announce : callable
         Called with the address.
     text : str
-        The bearing file to start with; empty for a single contact.
+        The text of the bearing file; empty for a single contact.
 
     Raises
     ------

@@ -53,7 +53,7 @@ class Worker:
     Parameters
     ----------
     warm_up : callable or None
-        What it does first; a module-level function, so that it can be pickled.
+        Called first; a module-level function, so that it can be pickled.
     """
 
     def __init__(self, warm_up: Job | None = None) -> None:
@@ -65,12 +65,12 @@ class Worker:
         its_own.close()
 
     def wait(self, seconds: float) -> Any:
-        """Return what the process sends next.
+        """Return the next message of the process.
 
         Raises
         ------
         TooSlowError
-            If it takes longer.
+            If it takes longer than ``seconds``.
         FailedError, EndedError
             If the job raises, or the process ends.
         """
@@ -87,7 +87,7 @@ class Worker:
         return value
 
     def do(self, job: Job, arguments: tuple[Any, ...], seconds: float) -> Any:
-        """Return what a job returns in the units that are chosen here; raise as `wait` does."""
+        """Return the result of a job, in the display units chosen here; raises as `wait`."""
         try:
             self._connection.send_bytes(pickle.dumps((job, arguments, current_units().code)))
         except OSError:
@@ -115,7 +115,7 @@ class Workers:
     count : int
         Number of processes for short jobs.
     warm_up : callable or None
-        What each does before it is used.
+        Called in each before it is used.
     eager : bool
         Whether a process that was killed is replaced at once, or only for the next job.
     """
@@ -131,13 +131,13 @@ class Workers:
         self._tasks: TaskGroup | None = None
 
     def start(self, tasks: TaskGroup, *, at_once: bool = True) -> None:
-        """Start the processes, at once or when `wake` is called or there is a first job."""
+        """Start the processes: at once, or when `wake` is called or a job arrives."""
         self._tasks = tasks
         if at_once:
             self.wake()
 
     def wake(self) -> None:
-        """Start the processes that are missing one after the other, so that the first is ready soon."""
+        """Start missing processes one after the other, so that the first is ready soon."""
         if self._tasks is not None and self._missing:
             self._tasks.start_soon(self._add, self._missing)
             self._missing = 0
@@ -148,14 +148,14 @@ class Workers:
             self._end(worker)
 
     async def run(self, job: Job, *arguments: Any, seconds: float) -> Any:
-        """Return what a short job returns.
+        """Return the result of a short job.
 
         Raises
         ------
         HTTPException
             If there are too many jobs already.
         TooSlowError, FailedError, EndedError
-            As `Worker.wait` does.
+            As by `Worker.wait`.
         """
         worker = await self._free()
         try:
@@ -170,7 +170,7 @@ class Workers:
         return value
 
     async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
-        """Return what a long job returns, run in a process started for it, one after the other; raise as `run` does."""
+        """Return the result of a long job, run in a process of its own, one at a time; raises as `run`."""
         with self._queued():
             await self._apart.acquire()
         worker: Worker | None = None
@@ -196,9 +196,9 @@ class Workers:
 
     @contextlib.contextmanager
     def _queued(self) -> Iterator[None]:
-        """Let a job wait for a process, unless too many do.
+        """Let a job wait for a process, unless too many are waiting.
 
-        A refusal would be no quicker for whoever waits, and a browser writes each into its console.
+        A refusal would not be quicker for the user, and browsers write each one into their consoles.
         """
         if self._waiting >= WAITING_REQUESTS:
             raise HTTPException(503, _BUSY)
@@ -218,7 +218,7 @@ class Workers:
             self.wake()
 
     async def _add(self, count: int) -> None:
-        """Start so many processes, each once the one before is ready; one that is not is tried again."""
+        """Start ``count`` processes, each when the one before is ready; one that fails to start is tried again."""
         while count:
             worker: Worker | None = None
             try:

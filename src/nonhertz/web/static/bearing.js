@@ -1,4 +1,4 @@
-// The page of a bearing: by slices at every edit, by strips when the hand rests.
+// The page of a bearing: solved by slices at every edit, by strips when the slider rests.
 
 import { watchCatalogue } from "./catalogue.js";
 import { figure, head, pinnedAs, whenResized } from "./chart.js";
@@ -108,7 +108,7 @@ function roller() {
   return chosen !== null && chosen < answer.angle.length ? chosen : answer.most;
 }
 
-/** The latest result by strips of as many rollers, where what is shown is by slices until strips follow. */
+/** The latest result by strips with as many rollers, while the result shown is by slices. */
 function pressedBefore() {
   const { answer, pressed, fresh } = page;
   return !fresh && pressed?.angle.length === answer.angle.length && answer.file_method === "strips" ? pressed : null;
@@ -135,7 +135,7 @@ function drawPictures() {
 }
 
 /**
- * Draw what a roller bears along its length, with pressures by strips, those before the last change if need be.
+  * Draw load and pressure along a roller; pressures are by strips, if need be those before the last change.
  * @param {any} answer
  * @param {any} before
  * @param {number} number
@@ -173,7 +173,7 @@ function drawMap({ maps, rows }, number) {
   if (maps) drawPanels({ ...maps, panels: maps.panels.slice(2 * row, 2 * row + 2) }, undefined, { last: "map-outer" });
 }
 
-/** Draw the films over the row of the roller that is shown, and along the roller with the least one. @param {any} answer @param {number} number */
+/** Draw the films over the row of the roller that is shown, and along the roller with the minimum film. @param {any} answer @param {number} number */
 function drawFilms({ films, rows }, number) {
   byId("films").hidden = !films.film;
   if (!films.film) return;
@@ -211,7 +211,8 @@ function writeRollers({ columns, rollers }, number) {
 }
 
 const polar = new Polar(byId("polar"), choose);
-const work = new Work(JSON.parse(byId("start").textContent), {
+const start = JSON.parse(byId("start").textContent);
+const work = new Work(start, {
   what: "bearing",
   at: "bearing/",
   bodies: { roller: "roller", inner: "inner", outer: "outer" },
@@ -247,7 +248,7 @@ async function openContact(ring) {
   notice("download", "");
 }
 
-/** Offer those contacts of a roller that bear load. @param {number} number */
+/** Enable the buttons that open the loaded contacts of a roller. @param {number} number */
 function offerContacts(number) {
   for (const [place, ring] of ["inner", "outer"].entries()) {
     const button = /** @type {HTMLButtonElement} */ (document.querySelector(`[data-contact="${ring}"]`));
@@ -261,7 +262,7 @@ byId("case").addEventListener("keydown", ({ target }) => {
 byId("most").addEventListener("click", () => choose(null));
 for (const ring of /** @type {("inner" | "outer")[]} */ (["inner", "outer"]))
   document.querySelector(`[data-contact="${ring}"]`)?.addEventListener("click", () => void openContact(ring));
-watchCatalogue(async (data) => {
+watchCatalogue(start.form.catalogue, async (data) => {
   try {
     const answer = await (await post("bearing/catalogue", { document: data })).json();
     if (!answer.ok) return answer.mistakes[0].sentence;

@@ -6,55 +6,30 @@ import { split } from "./numbers.js";
 import { html, render, useState } from "./preact.js";
 
 /** @typedef {[symbol: string, meaning: string, unit: string]} Datum with the unit of a plain number */
-/** @type {Datum[]} */
-const NEEDED = [
-  ["d", "bore d", "mm"],
-  ["D", "outside diameter D", "mm"],
-  ["B", "width B", "mm"],
-  ["C", "dynamic load rating C", "kN"],
-  ["C0", "static load rating C0", "kN"],
-];
-/** @type {Datum[]} */
-const RACEWAYS = [
-  ["F", "inner raceway F", "mm"],
-  ["E", "outer raceway E", "mm"],
-];
-/** @type {Datum[]} */
-const ANGLES = [
-  ["alpha", "contact angle", "deg"],
-  ["e", "factor e", ""],
-  ["Y", "factor Y", ""],
-];
-/** @type {Record<string, {others: Datum[], hint: string}>} */
-const KINDS = {
-  cylindrical: { others: RACEWAYS, hint: "F and E together give the diameter and pitch circle of the rollers" },
-  needle: { others: RACEWAYS, hint: "F and E together give the diameter and pitch circle of the rollers" },
-  tapered: { others: ANGLES, hint: "one of the three is needed; for the width give T" },
-};
-/** @type {Datum} */
-const CLEARANCE = ["clearance", "clearance", "um"];
+/** @typedef {{needed: Datum[], kinds: Record<string, {others: Datum[], hint: string}>, clearance: Datum}} Fields */
 
 /**
  * Open the dialog with the button.
- * @param {(data: Record<string, string>) => Promise<string>} start starts from data by symbols; what is wrong with them
+ * @param {Fields} fields
+ * @param {(data: Record<string, string>) => Promise<string>} start starts from data by symbols; returns a mistake or ""
  */
-export function watchCatalogue(start) {
+export function watchCatalogue(fields, start) {
   const dialog = /** @type {HTMLDialogElement} */ (byId("catalogue"));
   const close = () => dialog.close();
-  render(html`<${Content} ...${{ start, close }} />`, dialog);
+  render(html`<${Content} ...${{ fields, start, close }} />`, dialog);
   byId("from-catalogue").addEventListener("click", () => dialog.showModal());
 }
 
-function Content({ start, close }) {
+function Content({ fields, start, close }) {
   const [kind, choose] = useState("cylindrical");
   const [mistake, say] = useState("");
   const [busy, wait] = useState(false);
-  const { others, hint } = KINDS[kind];
+  const { others, hint } = fields.kinds[kind];
   const submit = async (event) => {
     event.preventDefault();
     const form = /** @type {HTMLFormElement} */ (event.target);
-    const fields = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input")]);
-    const data = fields.filter(({ value }) => value.trim()).map(({ name, value, dataset }) => [name, inUnit(value, dataset.unit)]);
+    const inputs = /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll("input")]);
+    const data = inputs.filter(({ value }) => value.trim()).map(({ name, value, dataset }) => [name, inUnit(value, dataset.unit)]);
     wait(true);
     const wrong = await start({ kind, ...Object.fromEntries(data) });
     wait(false);
@@ -74,11 +49,11 @@ function Content({ start, close }) {
         <fieldset><legend>Bearing</legend>
           <label class="choice">type of bearing
             <select value=${kind} onInput=${({ target }) => choose(target.value)}>
-              ${Object.keys(KINDS).map((word) => html`<option value=${word}>${word}</option>`)}</select></label>
-          ${NEEDED.map((datum) => input(datum, true))}</fieldset>
+              ${Object.keys(fields.kinds).map((word) => html`<option value=${word}>${word}</option>`)}</select></label>
+          ${fields.needed.map((datum) => input(datum, true))}</fieldset>
         <fieldset><legend>If known</legend>
           <p class="hint">${hint}</p>${others.map((datum) => input(datum))}
-          <p class="hint">by default the middle of group CN; 0 for tapered bearings</p>${input(CLEARANCE)}</fieldset></div>
+          <p class="hint">by default the mean of group CN; 0 for tapered bearings</p>${input(fields.clearance)}</fieldset></div>
       ${mistake && html`<p class="mistake" role="alert">${mistake}</p>`}
       <p class="dialog-foot"><button class="primary" disabled=${busy}>${busy ? "Estimating …" : "Start"}</button>
         <span class="hint">This replaces the bearing in the form; Undo brings it back.</span></p></div></form>`;

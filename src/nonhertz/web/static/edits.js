@@ -17,7 +17,7 @@ export class Edits {
     for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, () => this.release());
   }
 
-  /** What follows until the pointer is released is one edit, however long it rests meanwhile. */
+  /** All changes until the pointer is released are one edit, however long it rests. */
   hold() {
     this.settle();
     this.dragging = true;

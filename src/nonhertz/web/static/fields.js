@@ -1,5 +1,4 @@
-// The text of a field: what it shows of a value of the document, and what of its text goes into the document; and the
-// slider beside it.
+// The text of a field, from a value of the document and back into the document; and the slider beside it.
 
 import { byId } from "./elements.js";
 import { list, quantity, rounded, split } from "./numbers.js";

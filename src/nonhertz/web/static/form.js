@@ -1,8 +1,7 @@
 // The form of a document, drawn from the JSON schema of its file.
-//
-// The document is all that is kept: an edit makes another document, of which the form is drawn anew, and the library
-// changes what differs on the page, so that focus and folds stay. What sliders span follows from the geometry, and is
-// asked of the program when the hand rests.
+// Only the document is stored: an edit makes another document, from which the form is drawn again, and the library
+// changes only what differs on the page, so that focus and folds stay. The ranges of sliders follow from the geometry
+// and are requested when the slider rests.
 
 import { byId } from "./elements.js";
 import { choicesOf, legible, nameOf, placeOf, rangeFor, said, shownIn } from "./fields.js";

@@ -32,11 +32,11 @@ const ATTEMPTS = 4; // while it is busy
  *   rested: (complete: boolean) => void,
  *   gaveUp: (sentence: string, more: boolean) => void,
  * }} Page
- * Where a document is sent with what, and what is wished beyond the quick answer, null for nothing: the stresses in a
- * body, or strips. Whether more comes together with the quick answer while that is quick enough; after how many ms
- * without a new document it is asked for otherwise, and whether a hand still moves then; what is said, with the seconds
- * counted, while it is worked out. What follows when there is an answer, more, a new document, nothing left to ask, or
- * no answer.
+  * `request` gives address and body of a request; `wish` what is wanted beyond the quick answer, the stresses in a body
+ * or strips, null for nothing. `together`: that comes with the quick answer while it is quick enough; otherwise it is
+ * requested after `rest` ms without a new document, unless a slider is still `held`. `counted` is shown, with the
+ * seconds, while it is computed. The others are called on an answer, on more, while waiting, when nothing is left to
+ * request, and when there is no answer.
  */
 
 /**

@@ -69,7 +69,7 @@ function showStress(answer, fine) {
   if (answer.ok) view.stress({ ...answer, body: answer.wish }, fine);
 }
 
-/** Ask whether the body that is shown bears it. @param {boolean} stressed whether it has stresses */
+/** Ask whether the body that is shown withstands its stress. @param {boolean} stressed whether it has stresses */
 function searchStrength(stressed) {
   const body = view.shownBody();
   if (!live.latest) return; // what is shown of the last good case stays, dimmed

@@ -14,13 +14,13 @@ import { unitsCode } from "./units.js";
 /** Steps: name, the option that switches it, and what it does. */
 const STEPS = [
   ["level", "level", "remove the tilt"],
-  ["align", "align", "put the middle at y = 0"],
-  ["trim", "trim", "cut off what is neither land nor corner"],
+  ["align", "align", "move the middle to y = 0"],
+  ["trim", "trim", "cut off all but land and corners"],
   ["outliers", "outliers", "remove outliers"],
   ["smooth", "smooth", "smooth, which removes roughness"],
   ["thin", "points", "thin to fewer points"],
 ];
-const AS_SAID = ["", "as the file says"];
+const AS_SAID = ["", "as in the file"];
 /** @type {[string, string, string[][]][]} the option, its words, and its values with theirs */
 const CHOICES = [
   ["height_unit", "heights in", [AS_SAID, ["um", "µm"], ["mm", "mm"], ["nm", "nm"], ["m", "m"], ["in", "in"]]],
@@ -31,7 +31,7 @@ const CHOICES = [
 ];
 /** What is typed: the option, its words, and what an empty field shows. */
 const TYPED = [
-  ["step", "points apart", "such as 0.5 um"],
+  ["step", "point spacing", "such as 0.5 um"],
   ["position_column", "column of positions", "number or name"],
   ["height_column", "column of heights", "number or name"],
 ];

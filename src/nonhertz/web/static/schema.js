@@ -1,4 +1,4 @@
-// What may stand in a document, by the JSON schema of its file: of which kind a key is, and what a new one begins with.
+// The contents of a document by the JSON schema of its file: the kind of each key, and the initial value of a new one.
 
 /** @typedef {Record<string, any>} Table the schema of a table */
 /**
@@ -121,8 +121,8 @@ export class Schema {
   }
 
   /**
-   * The edits that make a table one of another kind: what that needs is added, what it lacks is removed. Of a bearing
-   * whose parts are others, little could stay: these make an example of one.
+    * The edits that change the kind of a table: keys that it needs are added, foreign ones are removed. For a bearing
+ * with other parts, where little could stay, the edits make an example.
    * @param {Table} table @param {any} value @param {string} kind @param {string} path
    * @param {(path: string[]) => any} range
    * @returns {[string, any][]}

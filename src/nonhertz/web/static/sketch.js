@@ -1,5 +1,5 @@
-// Both bodies at scale, across the contact and along it, with their dimensions, so that one sees what is pressed on
-// what; what is changed is marked. Profiles and tilt are so small that they are drawn many times as large.
+// Both bodies at scale, across the contact and along it, with their dimensions; the body that is changed is marked.
+// Profiles and tilt are so small that they are enlarged.
 
 import { byId } from "./elements.js";
 import { digits } from "./numbers.js";

@@ -1,4 +1,4 @@
-// Whether the body whose stress is shown bears it: sentences, asked for when a slider rests.
+// Whether the body whose stress is shown withstands it: sentences, requested when a slider rests.
 //
 // The search for the largest stresses of the whole body takes seconds. An edit meanwhile ends it.
 

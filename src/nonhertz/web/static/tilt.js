@@ -1,7 +1,7 @@
 // Tilting a body by the ends of its undeformed surface, in the picture of the distance of the surfaces.
 //
-// A handle moves the slider of the tilt, so that a drag is rounded, solved and undone as one of the slider. While it is
-// held the vertical axis stays as it was: otherwise the end would run away from the pointer.
+// A handle moves the slider of the tilt, so that a drag is rounded, solved and undone like one of the slider. Meanwhile
+// the vertical axis does not change: otherwise the end would run away from the pointer.
 
 import { slid } from "./fields.js";
 import { html, render } from "./preact.js";

@@ -1,5 +1,5 @@
-// The units in which results are read: those of the program, or US ones in their place. Whoever reads chooses once, for
-// both pages. Numbers are sent in the program's units and are written in the others here; sentences come as they are read.
+// The units of results: those of the program or US units, chosen once for both pages. Numbers arrive in the program's
+// units and are converted here; sentences arrive in the chosen units.
 
 import { byId } from "./elements.js";
 import { digits } from "./numbers.js";

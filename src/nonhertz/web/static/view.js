@@ -109,7 +109,7 @@ export class View {
     byId("stress-figures").hidden = !this.shownBody() || !planes;
     if (!planes || !this.shownBody()) return;
     const isShare = document.querySelector("[name=stress-unit][value=p0]:checked");
-    const share = { factor: 1 / (key.max_pressure || 1), unit: "", title: "von Mises stress / largest p₀" };
+    const share = { factor: 1 / (key.max_pressure || 1), unit: "", title: "von Mises stress / maximum p₀" };
     for (const plane of [planes.axial, planes.section]) {
       const [panel] = plane.panels;
       const colours = isShare ? { ...panel.colours, ...share } : panel.colours;

@@ -1,4 +1,4 @@
-// What the keys of files are called on the page, and under which headings those stand that most files leave out.
+// The names of the keys of files on the page, and the headings of keys that most files leave out.
 
 /** @type {Record<string, string>} by the last two keys of a path, or the last */
 const LABELS = {

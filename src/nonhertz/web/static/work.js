@@ -1,4 +1,4 @@
-// What both pages have: a document with its form and its file, undo, links, a pinned one, and what is dropped on the page.
+// The parts that both pages share: a document with its form and its file, undo, links, pins, and dropped files.
 
 import { pinnedAs } from "./chart.js";
 import { watchDrops } from "./drops.js";
@@ -34,10 +34,10 @@ import { watchUnits } from "./units.js";
  *   again: (result: Result) => void,
  *   renamed?: () => void,
  * }} Page
- * What it is of, where its routes are, and the paths of its bodies by name; how a document is solved, what the latest
- * result is, and what follows when others are pinned (`solve` answers for those that came with a link); what else follows
- * when a form is drawn, what is looked at, which is no part of the document, and what follows when another document is
- * begun, when the latest good result is read in other units, or units are changed.
+  * The kind of document, the address of its routes, and the paths of its bodies by name; how a document is solved, the
+ * latest result, and what follows when others are pinned (`solve` answers for those in a link); what follows when a form
+ * is drawn, the selection, which is no part of the document, and what follows when another document is started, when the
+ * latest good result is shown in other units, or when units are changed.
  */
 
 const WRITTEN_IN = "textarea, input:not([type=range], [type=checkbox], [type=radio])";

@@ -1,1 +1,1 @@
-"""What the page shows for a document: solutions, stresses, measured files and mistakes, as plain numbers and text."""
+"""Contents of the page for a document: solutions, stresses, measured files and mistakes, as plain numbers and text."""

@@ -22,16 +22,16 @@ from nonhertz.web.view.replies import number_seen, verdict_seen
 
 
 def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
-    """Return what the page shows of a solution, except the stress below the surface.
+    """Return the contents of the page for a solution, except the stress below the surface.
 
     Parameters
     ----------
     case : Case
-        What was solved.
+        The solved case.
     solution : Solution
         Its solution, or the state in which the solver stopped.
     complaint : str
-        Why it stopped there; empty if it converged.
+        Why the solver stopped; empty if it converged.
     """
     return {
         "ok": True,
@@ -39,9 +39,9 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         "status": solution.status.label,
         "complaint": complaint,
         "numbers": [*map(number_seen, contact_numbers(case, solution, complaint))],
-        # All digits but those of rounding alone.
+        # All digits except those of rounding.
         "key": {name: plain(quantity.clean(solution)) for name, quantity in QUANTITIES.items()},
-        # Where the pressure does not decide, the search when the slider rests does: it takes seconds.
+        # If the pressure leaves the verdict open, the search when the slider rests decides it: that takes seconds.
         "verdict": verdict_seen(None if complaint else judge_contact(solution, search=False)),
         "summary": summary_rows(solution, case),
         "warnings": solution.warnings,
@@ -56,14 +56,14 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
 
 
 def _seen(body: Body) -> dict[str, Any]:
-    """Return what a sketch at scale shows of a body: its curvature in the middle, and where it ends."""
+    """Return the data of a body for a sketch at scale: its curvature in the middle, and its ends."""
     low, high = body.interval
     middle = 0.5 * (low + high) if math.isfinite(high - low) else body.position
     return {"curvature": float(body.curvature(middle)), "interval": plain(body.interval)}
 
 
 def drawable(bodies: Any) -> dict[str, Any]:
-    """Return the profiles of those bodies in a document that are valid, for a case that cannot be solved."""
+    """Return the profiles of the valid bodies in a document, for a case that cannot be solved."""
     profiles: dict[str, Any] = {}
     for name in BODIES:
         try:

@@ -28,25 +28,25 @@ from nonhertz.web.view.replies import number_seen, verdict_seen
 Array = NDArray[np.float64]
 
 MAP_POINTS = 41
-"""Places along a roller, of which a map of the page has cells."""
+"""Number of places along a roller in the maps of the page."""
 
 
 def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | None = None) -> dict[str, Any]:
-    """Return what the page shows of a loaded bearing.
+    """Return the contents of the page for a loaded bearing.
 
     Parameters
     ----------
     case : BearingCase
-        What was solved.
+        The solved bearing.
     solution : BearingSolution
-        By slices or by strips; only strips have pressures.
+        Its solution by slices or by strips; only strips have pressures.
     roller : int, optional
-        That whose lines are drawn; the most loaded one if there is no such roller.
+        The roller whose lines are drawn; the most loaded one if there is no such roller.
 
     Raises
     ------
     CaseError
-        If something that the case says about life is refused.
+        If an input of the life in the case is refused.
     """
     life, reason = case.rated(solution)
     *shown, (_, (rollers,)) = sections(case, solution, life, reason)
@@ -85,20 +85,20 @@ def roller_answer(case: BearingCase, solution: BearingSolution, roller: int | No
 
 
 def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
-    """Return for every row which rollers are its own."""
+    """Return first roller and number of rollers of every row."""
     rows = [row.rollers for row in solution.bearing.rows]
     return [{"first": these.start, "count": these.stop - these.start} for these in rows]
 
 
 def _maps(solution: BearingSolution) -> dict[str, Any] | None:
-    """Return the pressure of all rollers; nothing by slices, which have none, or without load."""
+    """Return the pressure of all rollers; None by slices, which have no pressures, or without load."""
     if solution.method == "slices" or not solution.load.any():
         return None
     return pressure_maps(solution, MAP_POINTS).to_json()
 
 
 def nothing_drawn(name: str, solution: BearingSolution) -> str:
-    """Return why a bearing has no figure of a name."""
+    """Return why a bearing has no figure of this name."""
     if not math.isfinite(float(solution.load.max())) or not solution.load.any():
         return "This picture needs a loaded roller: load the bearing."
     if name == "displacement":

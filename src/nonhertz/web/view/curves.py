@@ -1,4 +1,4 @@
-"""What one value of a case does to its results: the points of a curve, a few at a time."""
+"""Results of a case against one of its values: the points of a curve, a few at a time."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _NAMES: Final = ("max_pressure", "approach", "load", "moment", "tilt", "max_half
 
 @job
 def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str, Any]:
-    """Answer with points of a curve: as many as there is time for, at least one; others are to be asked for again.
+    """Answer with points of a curve: as many as there is time for, at least one; the page asks again for others.
 
     Parameters
     ----------
     document : dict
         The case.
     path : str
-        Which of its values is varied, such as ``"body.a.profile[1].drop"``.
+        Path of the value that is varied, such as ``"body.a.profile[1].drop"``.
     values : list of float
         The values, in their base unit.
     """
@@ -36,7 +36,7 @@ def curve(document: dict[str, Any], path: str, values: list[float]) -> dict[str,
     sound(document, Case)
     varied = find_parameter(path, list_parameters(document, Case.contents))
     life = document.get("life")
-    # Under a spectrum every point would be a dozen solutions.
+    # A spectrum would multiply the solutions of every point.
     with_life = isinstance(life, dict) and "spectrum" not in life
     quantities = choose_quantities((*_NAMES, "life") if with_life else _NAMES, bearing=False)
     with display_units("si"):

@@ -32,11 +32,11 @@ from nonhertz.web.view.stresses import strength_answer, stress_answer
 Method = Literal["strips", "slices"]
 Document = TypeVar("Document", bound=CaseBase)
 
-#: The bearings that this process solved last, the one on the page and what is pinned: whoever chooses a roller or opens
-#: a contact need not wait for strips again.
+#: The bearings that this process solved last, the one on the page and pinned ones, so that choosing a roller or opening
+#: a contact does not solve strips again.
 _LATEST: Final[dict[str, tuple[BearingCase, BearingSolution]]] = {}
 _KEPT: Final = 3
-#: What a catalogue says of a bearing, by its symbols; what depends on several is worked out.
+#: Inputs of a bearing by the symbols of catalogues; inputs that depend on several symbols are computed.
 _STATED: Final = {"clearance": "bearing.clearance", "F": "inner.diameter", "E": "outer.diameter"}
 _LONGEST_NUMBER: Final = 100  # characters
 _BOUNDARY: Final = ("bearing.bore", "bearing.outside_diameter", "bearing.width", "bearing.contact_angle")
@@ -51,7 +51,7 @@ def sound(document: dict[str, Any], kind: type[Document]) -> Document:
         If it is not a valid file, or exceeds the limits of the page.
     """
     refuse(unfit(document))
-    # The file's own checks come first, so that what they reject is worded as on the command line.
+    # The file's own checks come first, so that errors are worded as on the command line.
     case = kind.of(document, Path(f"{kind.kind}.toml"), files=False)
     refuse(too_slow(document))
     return case
@@ -59,7 +59,7 @@ def sound(document: dict[str, Any], kind: type[Document]) -> Document:
 
 @job
 def solve(document: dict[str, Any], stress: bool, body: BodyName) -> dict[str, Any]:
-    """Answer with what the page shows of a case, with the stress below the surface of a body where it is asked for."""
+    """Answer with the contents of the page for a case, with the stress below the surface of a body if requested."""
     try:
         case = sound(document, Case)
         solution, complaint = try_solve(case)
@@ -71,7 +71,7 @@ def solve(document: dict[str, Any], stress: bool, body: BodyName) -> dict[str, A
 
 @job
 def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
-    """Answer with whether a body of a case bears it."""
+    """Answer with whether a body of a case withstands the stress."""
     solution, complaint = try_solve(sound(document, Case))
     contents = {"checks": []} if complaint or not solution.contact_y else strength_answer(solution, body)
     return {"ok": True} | contents
@@ -79,14 +79,14 @@ def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
 
 @job
 def load(document: dict[str, Any], method: Method | None, roller: int | None = None) -> dict[str, Any]:
-    """Answer with what the page shows of a bearing and a roller, by a method in place of that of the file."""
+    """Answer with the contents of the page for a bearing and a roller; ``method`` replaces that of the file."""
     case = sound(document, BearingCase)
     return {"file_method": case.solver.method} | bearing_answer(*_loaded(case, method), roller)
 
 
 @job
 def lines(document: dict[str, Any], method: Method | None, roller: int | None) -> dict[str, Any]:
-    """Answer with what one roller of a bearing bears along its length."""
+    """Answer with loads and pressures along one roller of a bearing."""
     return {"ok": True} | roller_answer(*_loaded(sound(document, BearingCase), method), roller)
 
 
@@ -98,7 +98,7 @@ def contact(document: dict[str, Any], roller: int, ring: str) -> dict[str, Any]:
 
 
 def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCase, BearingSolution]:
-    """Return a bearing, loaded, and the case to assess it with; the latest is kept.
+    """Return the case with which a bearing is assessed, and its solution; the latest ones are kept.
 
     Raises
     ------
@@ -113,7 +113,7 @@ def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCas
         except InputError as error:
             raise with_file_path(error, case.document) from None
         if solution.method == "slices" and case.life.edge_stress == "pressure":
-            # They have no pressures: without the word, life is that of the standard's edges.
+            # Slices have no pressures: unless the file says otherwise, life is by the edge stresses of the standard.
             case = replace(case, life=replace(case.life, edge_stress=None))
         while len(_LATEST) >= _KEPT:
             del _LATEST[next(iter(_LATEST))]
@@ -135,9 +135,9 @@ def document_in(content: bytes) -> dict[str, Any]:
 
 @job
 def catalogue(data: dict[str, Any]) -> dict[str, Any]:
-    """Answer with a bearing estimated from the data in a catalogue: document, text, and what is estimated."""
+    """Answer with a bearing estimated from the data in a catalogue: document, text, and the estimated values."""
     if not all(isinstance(value, str) and len(value) <= _LONGEST_NUMBER for value in data.values()):
-        return broken([("", "Each number of a catalogue must be short text, such as '44 kN'.")])
+        return broken([("", "Each entry of catalogue data must be short text, such as '44 kN'.")])
     guess = guess_of_catalogue(data)
     document = guessed_document(guess)
     stated = {*_BOUNDARY, *(path for symbol, path in _STATED.items() if symbol in data)}
@@ -150,7 +150,7 @@ def catalogue(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _numbers(table: Mapping[str, Any], place: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield the paths of numbers, and of lists of them, with what they are."""
+    """Yield numbers, and lists of numbers, with their paths."""
     for name, value in table.items():
         if isinstance(value, Mapping):
             yield from _numbers(value, f"{place}{name}.")
@@ -159,7 +159,7 @@ def _numbers(table: Mapping[str, Any], place: str = "") -> Iterator[tuple[str, A
 
 
 def as_json_has_it(value: Any) -> Any:
-    """Return a value with what TOML has but JSON lacks as text: dates, non-finite numbers and huge integers."""
+    """Return a value in which text replaces what JSON lacks: dates, non-finite numbers and huge integers."""
     if isinstance(value, dict):
         return {name: as_json_has_it(entry) for name, entry in value.items()}
     if isinstance(value, list):
@@ -171,7 +171,7 @@ def as_json_has_it(value: Any) -> Any:
 
 @job
 def file(document: dict[str, Any], text: str) -> bytes:
-    """Return a case or a bearing, which need not be solvable, as a file: like the one that it was read from, if any."""
+    """Return a case or a bearing, which need not be solvable, as a file, with the comments of its original if any."""
     refuse(unfit(document))
     return update_toml(document, text).encode()
 
@@ -219,6 +219,6 @@ def warm_up_bearing() -> None:
 
 
 def step_back() -> None:
-    """Leave the processor to whoever answers a drag; what is needed is loaded with the first case."""
+    """Give way to the processes that answer a drag; modules are loaded with the first case."""
     if hasattr(os, "nice"):  # Windows has none
         os.nice(10)

@@ -26,11 +26,11 @@ _FIELDS = {"profile": "body.a.profile"}
 
 
 class Refusal(bytes):
-    """JSON of what is wrong, in place of an answer or a file."""
+    """JSON of mistakes, in place of an answer or a file."""
 
 
 def job(make: Callable[Concatenate[First, More], Any]) -> Callable[Concatenate[First, More], bytes]:
-    """Return a job that sends what a function makes: bytes as they are, an answer as JSON, and mistakes as a refusal.
+    """Return a job that sends the result of a function: bytes unchanged, an answer as JSON, mistakes as a refusal.
 
     Warnings, such as those about overflow, are kept off the terminal: the answer shows their effect.
     """
@@ -78,7 +78,7 @@ def refusal(status: int, sentence: str) -> Response:
 
 
 def verdict_seen(verdict: Verdict | None) -> dict[str, str] | None:
-    """Return what a page shows of a verdict; None if there is none."""
+    """Return a verdict for a page; None if there is none."""
     if verdict is None:
         return None
     return {
@@ -89,7 +89,7 @@ def verdict_seen(verdict: Verdict | None) -> dict[str, str] | None:
 
 
 def number_seen(number: KeyNumber) -> dict[str, Any]:
-    """Return what a page shows of a key number: as it is read, and in its own unit for differences."""
+    """Return a key figure for a page: as text, and as a number in its own unit for differences."""
     value, unit = number.shown
     shown = {"name": number.name, "value": value, "unit": unit, "where": number.where}
     return shown | {"number": plain(number.amount.values[0]), "under": number.under}
@@ -101,7 +101,7 @@ def broken(mistakes: Iterable[tuple[str, str]]) -> dict[str, Any]:
 
 
 def misfit(error: CaseError) -> dict[str, Any]:
-    """Return what is wrong with a case, each sentence at its field."""
+    """Return the mistakes in a case, each with its field."""
     return broken(
         (_FIELDS.get(place, place), sentence) for place, sentence in zip(error.places, error.mistakes, strict=True)
     )

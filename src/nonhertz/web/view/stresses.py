@@ -31,9 +31,9 @@ CLOSE: Final = 5
 CROWDING: Final = 1.5
 
 MOST_WORK: Final = 5000
-"""Strips times pressure terms (the pressure and its images in the body); each takes 0.1 ms on the grids above."""
+"""Limit on strips times pressure terms (the pressure and its images); each takes 0.1 ms on the grids above."""
 
-_NO_NUMBERS = "There is no stress below the surface to show: the load is too large or too small for its numbers."
+_NO_NUMBERS = "The stress below the surface cannot be shown: the load is too large or too small for its numbers."
 _TOO_MUCH = (
     "With so many strips and images, the stress below the surface takes longer than the page waits: use fewer, or run "
     "'nonhertz stress'."
@@ -41,14 +41,14 @@ _TOO_MUCH = (
 
 
 def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
-    """Return the von Mises stress along the contact and across it where the pressure is largest, or why there is none.
+    """Return the von Mises stress along the contact, and across it at the maximum pressure, or why there is none.
 
     Parameters
     ----------
     solution : Solution
         A solved contact with something in contact.
     body : {"a", "b"}
-        Which body.
+        The body.
     """
     work = solution.strips * Inside.of(solution, body).terms.shape[0]
     if work > MOST_WORK:
@@ -64,18 +64,18 @@ def stress_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
 
 
 def strength_answer(solution: Solution, body: BodyName) -> dict[str, Any]:
-    """Return whether a body bears it, in the sentences of `nonhertz.strength`, with its largest stress and plane.
+    """Return whether a body withstands its stress, in the sentences of `nonhertz.strength`, and its largest stress.
 
-    With the verdict on the contact, of which the search may decide what the pressure leaves open. The largest stress is
-    that of von Mises, and the plane the one across the contact where it is. There are none where none can be found.
-    Unlike the planes above, this searches the whole body, which takes seconds.
+    The answer includes the verdict on the contact, which this search may decide where the pressure leaves it open, and
+    the plane across the contact through the largest von Mises stress, if that can be computed. Unlike the planes above,
+    this searches the whole body, which takes seconds.
 
     Parameters
     ----------
     solution : Solution
         A solved contact with something in contact.
     body : {"a", "b"}
-        Which body.
+        The body.
     """
     try:
         strength = assess(solution, body=body)

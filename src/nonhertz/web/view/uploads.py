@@ -1,4 +1,4 @@
-"""From a measured file to the points of a profile, with what each step did."""
+"""From a measured file to the points of a profile, with the effect of each step."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from nonhertz.web.limits import UPLOAD_POINTS
 from nonhertz.web.view.replies import broken, job
 
 MOST_POINTS: Final = 300
-"""Of the profile; more would affect no result, and the whole case is sent with every request."""
+"""Points of the profile; more would affect no result, and the whole case is sent with every request."""
 _NANOMETRES: Final = 6  # decimals of a mm
 
 
 @job
 def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[str, Any]:
-    """Answer to a measured file with points, steps, roughness and warnings, or with what is wrong with it.
+    """Answer to a measured file with points, steps, roughness and warnings, or with its mistakes.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[s
 def _averaged(trace: Trace) -> Trace:
     """Return a trace with no more points than the page accepts, averaging neighbours, which are closer than any cutoff.
 
-    No mean is taken across a gap.
+    Points are not averaged across a gap.
     """
     every = -(-len(trace) // UPLOAD_POINTS)
     if every == 1:
@@ -63,7 +63,7 @@ def _averaged(trace: Trace) -> Trace:
     starts = np.union1d(np.arange(0, len(trace), every), behind_gaps).astype(np.intp)
     counts = np.diff(starts, append=len(trace))
     y, height = (np.add.reduceat(values, starts) / counts for values in (trace.y, trace.height))
-    note = f"Every {every} of the {len(trace)} points were averaged; 'nonhertz profile' uses all of them."
+    note = f"Groups of {every} of the {len(trace)} points were averaged; 'nonhertz profile' uses all points."
     return Trace(y, height, trace.gaps, name=trace.name, notes=(*trace.notes, note))
 
 
