@@ -32,6 +32,7 @@ from nonhertz.solver.one import solve
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
 
@@ -419,7 +420,7 @@ class BearingSolution(ReadOnly, HasHtml):
                 pressure[contact.rollers] = contact.solved.pressure(0.0, places)
         return UnrolledPressure(ring, row, self.angle[these], places, pressure[these])
 
-    def plot(self, what: str = "loads", ax: Any = None) -> Any:
+    def plot(self, what: str = "loads", ax: Axes | None = None) -> Axes:
         """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.
 
         Parameters

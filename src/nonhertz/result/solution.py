@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     import pandas as pd
+    from matplotlib.axes import Axes
 
     from nonhertz.result.gradient import Gradient
     from nonhertz.result.measures import Measure
@@ -278,7 +279,7 @@ class Solution(Solved):
         frame.attrs["units"] = {name: quantity.unit for name, quantity in ALONG.items()}
         return frame
 
-    def plot(self, what: str = "pressure", ax: Any = None) -> Any:
+    def plot(self, what: str = "pressure", ax: Axes | None = None) -> Axes:
         """Draw the contact, and return the axes; those of a figure of its own have it as ``figure``.
 
         Parameters
