@@ -100,13 +100,12 @@ def compared_sections(case: BearingCase, strips: BearingSolution, slices: Bearin
 
 def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     """Return name, value and remark of the loads on a bearing, its displacement, and its most loaded roller."""
-    speed = case.prescribed.speed
     return [
         *_bearing_rows(solution.bearing, fitted=case.fit is not None),
         *_preload_rows(case.bearing),
         *fit_rows(case),
         *_load_rows(solution),
-        *([("speed", f"{format_input(float(speed))} 1/min", "")] if speed else []),
+        *([("speed", f"{format_input(solution.speed)} 1/min", "")] if solution.speed else []),
         *_most_loaded_rows(solution),
         *_pressure_rows(solution),
         *_rib_rows(solution),
@@ -120,7 +119,7 @@ def summary_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
 
 
 def solution_sections(solution: BearingSolution) -> list[Section]:
-    """Return the sections on a loaded bearing without its case: not its speed, nor what fits have taken."""
+    """Return the sections on a loaded bearing without its case: not what fits have taken."""
     rows = summary_rows(BearingCase(solution.bearing), solution)
     return [Section("Results", [summary([*rows, *assumed_rows(solution.assumed)])])]
 
