@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
+from nonhertz.bearing.fits import Range
 from nonhertz.cli import main
 from nonhertz.result.brief import HasHtml
 from nonhertz.show import notebook
@@ -128,6 +129,18 @@ def test_a_bearing_and_its_life_are_shown_without_a_case(bearing):
     life = bearing.assess(solution)
     assert row_named(life, "static safety") == [f"S0 = {life.static_safety:.2f}"]
     assert row_named(bearing.kinematics, "cage")[0] == f"{bearing.kinematics.cage_speed:.1f} 1/min"
+
+
+def test_a_bearing_by_classes_has_its_clearances_and_ratings():
+    case = nh.new_bearing(changes={"bearing.clearance": "CN", "bearing.bore": 30, "solver.method": "slices"})
+    tolerances = case.tolerances(case.solve(), None)
+    least, likely, greatest = (1e3 * tolerances.clearance.operating.at(which) for which in Range.AT)
+    expected = [f"{least:.2f}", f"{likely:.2f}", f"{greatest:.2f}"]
+    assert row_named(tolerances, "radial clearance in operation [µm]")[:3] == expected
+    rating = nh.bearing.rating(case.bearing)
+    assert (
+        row_named(rating, "load ratings")[0] == f"C = {rating.dynamic / 1e3:.2f} kN, C0 = {rating.static / 1e3:.2f} kN"
+    )
 
 
 def test_strength_has_a_row_for_each_check(solved):

@@ -38,6 +38,7 @@ from nonhertz.life.capacity import (
 )
 from nonhertz.model.material import is_steel
 from nonhertz.model.materials import name_of
+from nonhertz.result.brief import HasHtml
 
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
@@ -47,7 +48,7 @@ _ALIKE = 1e-9
 
 
 @dataclass(frozen=True)
-class Rating:
+class Rating(HasHtml):
     """Load ratings of a bearing, by ISO 281 and ISO 76.
 
     Attributes

@@ -13,6 +13,7 @@ from nonhertz.bearing.fits import Range
 from nonhertz.bearing.operating import ClearanceRanges
 from nonhertz.bearing.quantities import QUANTITIES
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.result.brief import HasHtml
 
 _LIVES: Final = ("reference_life", "modified_life")
 #: The numbers of a result that are known at the least, the likely and the greatest clearance.
@@ -22,7 +23,7 @@ Numbers = Mapping[str, float]
 
 
 @dataclass(frozen=True)
-class Tolerances:
+class Tolerances(HasHtml):
     """A bearing at the limits of its classes.
 
     Attributes

@@ -34,6 +34,7 @@ from nonhertz.bearing.film import Films
 from nonhertz.bearing.kinematics import Kinematics
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.quantities import QUANTITIES, SolvedBearing, further
+from nonhertz.bearing.ratings import Rating
 from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.files.bearingfile import BearingCase
@@ -124,6 +125,16 @@ def solution_sections(solution: BearingSolution) -> list[Section]:
     return [Section("Results", [summary([*rows, *assumed_rows(solution.assumed)])])]
 
 
+def rating_sections(rating: Rating) -> list[Section]:
+    """Return the sections on the load ratings of a bearing."""
+    return [Section("Ratings", [summary([_rating_row(rating)])])]
+
+
+def _rating_row(rating: Rating) -> Row:
+    ratings = f"C = {newton(rating.dynamic):4}, C0 = {newton(rating.static):4}"
+    return "load ratings", ratings, f"fatigue load limit Cu = {newton(rating.fatigue_limit):4}"
+
+
 def life_sections(life: BearingLife) -> list[Section]:
     """Return the sections on the life of a bearing."""
     return [Section("Ratings and life", [summary([*life_rows(life, ""), *assumed_rows(life.assumed)])])]
@@ -161,11 +172,7 @@ def life_rows(life_result: BearingLife | None, reason: str) -> list[Row]:
     if math.isfinite(life_result.static_safety):
         safety = f"S0 = {format_digits(life_result.static_safety, 3)}"
     return [
-        (
-            "load ratings",
-            f"C = {newton(rating.dynamic):4}, C0 = {newton(rating.static):4}",
-            f"fatigue load limit Cu = {newton(rating.fatigue_limit):4}",
-        ),
+        _rating_row(rating),
         (
             "equivalent load",
             f"P = {newton(life_result.equivalent_load):4}, P0 = {newton(life_result.static_load):4}",

@@ -59,7 +59,16 @@ def _seat_rows(operating: OperatingClearance) -> list[Row]:
 
 def tolerance_section(case: BearingCase, tolerances: Tolerances) -> Section:
     """Return interferences, clearance and results at the least, the likely and the greatest clearance."""
-    (factor, way), ranges = _way_of(case), tolerances.clearance
+    return _tolerances(tolerances, *_way_of(case))
+
+
+def tolerance_sections(tolerances: Tolerances) -> list[Section]:
+    """Return the sections on the same of a bearing without its case, with radial clearances."""
+    return [_tolerances(tolerances)]
+
+
+def _tolerances(tolerances: Tolerances, factor: float = 1.0, way: str = "radial") -> Section:
+    ranges = tolerances.clearance
     clearances = {"unmounted": ranges.unmounted, "mounted": ranges.mounted, "in operation": ranges.operating}
     interferences = {"on shaft": ranges.shaft, "in housing": ranges.housing}
     lengths = {

@@ -41,12 +41,14 @@ LAYOUTS: Final = {
     "OperatingClearance": "clearances.sections",
     "PatchSolution": "summary.sections",
     "ProfileFit": "measured.fit_sections",
+    "Rating": "bearing.rating_sections",
     "Result": "results.sections",
     "Solution": "summary.sections",
     "Solutions": "summary.many_sections",
     "Strength": "stresses.strength_sections",
     "Sweep": "studies.sweep_sections",
     "Tolerance": "studies.tolerance_sections",
+    "Tolerances": "clearances.tolerance_sections",
     "VolumeLife": "bearing.volume_life_sections",
 }
 #: Where a result has the title of its case.
