@@ -120,7 +120,7 @@ MISTAKES = [
     (
         f"{A}lenght = 3\n{B}material = 'bras'\n[load]\nload = -1\ntilt = '5 kg'\n",
         "Unknown key body.a.lenght. Did you mean body.a.length?",
-        "body.b.material = 'bras' must be a known material: give a name",
+        "body.b.material = 'bras' must be a known material: give modulus and poisson",
         "load.load = -1.0 must be positive",
         "load.tilt = '5 kg' must have a unit of angle",
     ),

@@ -98,7 +98,7 @@ REFUSED = [
     ("bearing six.toml --over clearence=0:9um", "Unknown key clearence. Did you mean bearing.clearance?"),
     ("bearing six.toml --over clearance=9um:5um", "--over bearing.clearance = '9um:5um' must ascend"),
     ("bearing six.toml --over clearance", "--over = 'clearance' must have an equals sign"),
-    ("materials unobtainium", "NAME = 'unobtainium' must be a known material: run 'nonhertz materials' for the list."),
+    ("materials unobtainium", "NAME = 'unobtainium' must be a known material: 'nonhertz materials' lists all."),
     *(
         (
             f"design {kind}.toml",

@@ -95,6 +95,7 @@ def written(path, text):
         lambda folder: nh.files.write_rexs(folder / "a.xml", nh.new_bearing()),
         lambda folder: nh.read_case(folder / "missing.toml", {"load.load": "5 furlongs"}),
         lambda folder: nh.read_plan(folder / "missing.toml"),
+        lambda folder: nh.new_case(changes={"body.a.material": "unobtainium"}),
         lambda folder: nh.read_bearing(written(folder / "case.toml", nh.new_case().text)),
         lambda folder: nh.read_plan(written(folder / "case.toml", nh.new_case().text)),
         lambda folder: nh.read_result(folder / "file"),

@@ -2,6 +2,7 @@
 
 #: Remedies of functions, and those of the command line for a file.
 _COMMANDS = {
+    "nonhertz.MATERIALS lists all": "'nonhertz materials' lists all",
     "use nonhertz.read_case": "use 'nonhertz solve {}'",
     "use nonhertz.read_bearing": "use 'nonhertz bearing {}'",
     "use nonhertz.read_plan": "use 'nonhertz sweep {}'",

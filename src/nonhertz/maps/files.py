@@ -56,7 +56,7 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 
 def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | None:
-    """Return the fields of a map, or None if they are incomplete or do not fit together."""
+    """Return the fields of a map, or None if they are incomplete or inconsistent."""
     known: dict[str, Any] = {"description": text(entries, "description"), "given": text(entries, "given")}
     errors = (len(fields(SampledErrors)),)
     shapes = {**dict.fromkeys((*_NUMBERS, *_COUNTS), ()), "pressed": (2,), "sampled_error": errors}
@@ -77,7 +77,7 @@ def _fields(entries: Mapping[str, np.ndarray[Any, Any]]) -> dict[str, Any] | Non
 
 
 def _fits(arrays: Mapping[str, np.ndarray[Any, Any]]) -> bool:
-    """Return whether sizes and order of the arrays are those of a map: compiled code does not check them."""
+    """Return whether the arrays have the sizes and order of a map: compiled code does not check them."""
     numbers, breaks, stations = arrays["numbers"], arrays["breaks"], arrays["stations"]
     if numbers.shape != (TILT_CELLS + 1,):
         return False

@@ -1,7 +1,7 @@
-"""Materials by name, with where their numbers come from.
+"""Materials by name, with the sources of their numbers.
 
-What has no source is left out, such as the yield strength of hardened steels, which depends on their heat treatment. A
-data sheet of the actual grade takes precedence.
+Numbers without a source are left out, such as the yield strength of hardened steels, which depends on their heat
+treatment. A data sheet of the actual grade takes precedence.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from nonhertz.model.material import STEEL, STEEL_MODULUS, Material
 
 STEEL_DENSITY = 7.85e-9  # t/mm^3
 STEEL_EXPANSION = 12.5e-6  # 1/K, bearing steel (IKO, needle roller bearing catalogue, formula 29)
+_LISTED = "nonhertz.MATERIALS lists all"
 
 
 @dataclass(frozen=True)
@@ -26,22 +27,22 @@ class Entry:
     name : str
         The name by which a case file refers to it.
     group : str
-        What kind of material it is.
+        Group of materials that it belongs to.
     material : Material
-        What is known of it, at room temperature.
+        Its known properties at room temperature.
     source : str
-        Where each number comes from.
+        Source of each number.
     note : str
-        What limits its use; empty if nothing does.
+        Limits of its use; empty if there are none.
     others : tuple of str
-        Other names of the same.
+        Other names of the material.
     density : float
-        [t/mm^3]; of steels that of EN 1993-1-2, of others that of the same source or of handbooks.
+        [t/mm^3]; for steels by EN 1993-1-2, for others from the same source or from handbooks.
     expansion : float or None
-        Linear thermal expansion near room temperature [1/K]; None where sources differ by more than a tenth. For steels
-        that of bearing steel, and of 440C that of AMES Engineering's tables; of silicon nitride between that of
-        Callister and of Lily Bearing; of others that of W. D. Callister, Fundamentals of Materials Science and
-        Engineering, table B.6: gray iron, ductile iron 60-40-18 and 80-55-06, bronze C93200; of aluminium EN 1999-1-1.
+        Linear thermal expansion near room temperature [1/K]; None where sources differ by more than a tenth. Steels
+        have that of bearing steel; 440C: AMES Engineering's tables; silicon nitride: between Callister and Lily
+        Bearing; aluminium: EN 1999-1-1; others: W. D. Callister, Fundamentals of Materials Science and Engineering,
+        table B.6: gray iron, ductile iron 60-40-18 and 80-55-06, bronze C93200.
     """
 
     name: str
@@ -69,7 +70,7 @@ _VISCOELASTIC = (
     "another material"
 )
 
-#: All materials that have a name, in groups.
+#: All named materials, by group.
 LIBRARY: tuple[Entry, ...] = (
     Entry("steel", "general", STEEL, _HANDBOOK),
     Entry(
@@ -174,10 +175,10 @@ LIBRARY: tuple[Entry, ...] = (
 
 
 class _Materials(dict[str, Material]):
-    """Materials by name; where there is none, the error names the nearest."""
+    """Materials by name; the error for an unknown name suggests the nearest."""
 
     def __missing__(self, name: object) -> Material:
-        raise KeyError(str(unknown_word_error("name", name, "material", self, "run 'nonhertz materials' for the list")))
+        raise KeyError(str(unknown_word_error("name", name, "material", self, _LISTED)))
 
 
 #: Materials that a case file may refer to by name.
@@ -192,7 +193,7 @@ NamedMaterial = Annotated[
     Part(
         "name of a material, or a table of modulus, poisson and strengths",
         Material,
-        "give a name such as 'steel', 'nonhertz materials' lists them all, or modulus and poisson",
+        f"give modulus and poisson, or a name such as 'steel': {_LISTED}",
         MATERIALS,
     ),
 ]
@@ -204,13 +205,13 @@ def find_entry(name: str) -> Entry:
     Raises
     ------
     InputError
-        If there is none.
+        If the name is unknown.
     """
     text("name", name, "give a name such as 'steel' or '100Cr6'")
     for entry in LIBRARY:
         if name in (entry.name, *entry.others):
             return entry
-    raise unknown_word_error("name", name, "material", MATERIALS, "run 'nonhertz materials' for the list")
+    raise unknown_word_error("name", name, "material", MATERIALS, _LISTED)
 
 
 def name_of(material: Material) -> str:
@@ -219,13 +220,13 @@ def name_of(material: Material) -> str:
 
 
 def density_of(material: Material) -> float | None:
-    """Return the density [t/mm^3] of a material of the library, or of what is as stiff as steel; None of any other."""
+    """Return the density [t/mm^3] of a material of the library or one as stiff as steel; None for any other."""
     entry = _entry_of(material)
     return entry.density if entry else STEEL_DENSITY if _as_stiff_as_steel(material) else None
 
 
 def expansion_of(material: Material) -> float | None:
-    """Return the linear thermal expansion [1/K], as `density_of` does; None of any other, or where it is not known."""
+    """Return the linear thermal expansion [1/K] likewise; None for any other, or where it is not known."""
     entry = _entry_of(material)
     return entry.expansion if entry else STEEL_EXPANSION if _as_stiff_as_steel(material) else None
 
