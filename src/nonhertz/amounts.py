@@ -1,8 +1,8 @@
 """Numbers with their units, as people read them: in SI units or in US customary ones.
 
-Everything is computed and stored in mm, N, MPa and rad. Where a number becomes text for people, it does so as an
-`Amount`, in the units that were chosen for this context (see `contextvars`): on a terminal, in a report, on the page,
-in a figure. What programs read, JSON, CSV and other files, does not pass here.
+Everything is computed and stored in mm, N, MPa and rad. Numbers shown to people, on a terminal, in
+a report, on the page or in a figure, are formatted as an `Amount`, in the units chosen for the current context (see
+`contextvars`). JSON, CSV and other files for programs do not use this module.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ POUND_FORCE: Final = 4.4482216152605
 
 _KSI: Final = 1e3 * POUND_FORCE / INCH**2  # MPa
 _POUND: Final = 0.45359237  # kg
-_ROUNDING = 1e-12  # relative: a prescribed load, say, is met to that
+_ROUNDING = 1e-12  # relative: a prescribed load, for instance, is met this closely
 _FEWEST = 4  # significant digits of an input in converted units
-_SMALL = 0.5  # mm, below which people read micrometres
-_SAME = 1e-6  # relative: less than five digits show
+_SMALL = 0.5  # mm; smaller lengths are shown in micrometres
+_SAME = 1e-6  # relative: less than five digits can show
 
-#: Sizes of the units in which people read numbers, in those of Python and files.
+#: Sizes of the displayed units, in units of Python and files.
 SIZES: Final[Mapping[str, float]] = MappingProxyType(
     {
         "nm": 1e-6,
@@ -49,18 +49,18 @@ Size = tuple[str, float]
 
 @dataclass(frozen=True)
 class Units:
-    """Units in which people read results.
+    """Units in which results are displayed.
 
     Attributes
     ----------
     code : str
         ``"si"`` or ``"us"``.
     stated : str
-        Words on the units of numbers that have none beside them.
+        Sentence that states the units of numbers shown without one.
     table : mapping
-        By unit of the program: the one in its place, and how many of it make one of that; what is missing stays.
+        For each unit of the program, the unit displayed instead and the factor between them; other units stay.
     sizes : mapping
-        By unit that is shown: from which number on people write another, and that with its size.
+        For each displayed unit: the number from which on a larger or smaller one is used, and that unit with its size.
     """
 
     code: str
@@ -69,15 +69,15 @@ class Units:
     sizes: Mapping[str, tuple[float, Size]]
 
     def of(self, unit: str, values: Iterable[float] = ()) -> Size:
-        """Return the unit in place of one of the program's, and how many of it make one of that.
+        """Return the displayed unit for one of the program's, and the factor that converts a number to it.
 
-        With ``values`` in the unit of the program, it is the one that suits the largest of them.
+        With ``values`` in the unit of the program, the unit suits the largest of them.
         """
         word, factor = self.table.get(unit, (unit, 1.0))
-        # Whether a load of one kN is met to the last digit must not choose its unit.
+        # The last digit of a load close to 1 kN must not decide its unit.
         largest = (1.0 + _SAME) * max((abs(factor * value) for value in values), default=-1.0)
         least, (other, size) = self.sizes.get(word, (math.inf, (word, 1.0)))
-        # Large numbers are written in larger units, but those of ksi that are small in smaller ones.
+        # Large numbers are written in larger units; small numbers of ksi are written in psi.
         return (other, factor / size) if (largest >= least if size > 1.0 else 0.0 < largest < least) else (word, factor)
 
 
@@ -125,17 +125,17 @@ _CHOSEN: ContextVar[Units] = ContextVar("units", default=SI)
 
 
 def current_units() -> Units:
-    """Return the units in which people read results in this context."""
+    """Return the units in which results are displayed in this context."""
     return _CHOSEN.get()
 
 
 def choose_units(code: str) -> None:
-    """Choose the units in which people read results from here on, in this context (see `contextvars`).
+    """Set the units in which results are displayed from here on, in this context (see `contextvars`).
 
     Raises
     ------
     InputError
-        If there are none of this code.
+        If the code is unknown.
     """
     if code not in SYSTEMS:
         raise InputError("units", code, "be 'si' or 'us'", "write 'us' for in, lbf and ksi")
@@ -144,7 +144,7 @@ def choose_units(code: str) -> None:
 
 @contextlib.contextmanager
 def display_units(code: str) -> Iterator[None]:
-    """Show results in the units of a code within a ``with`` statement; raise what `choose_units` does."""
+    """Show results in these units within a ``with`` statement; raises what `choose_units` does."""
     before = _CHOSEN.get()
     choose_units(code)
     try:
@@ -155,22 +155,22 @@ def display_units(code: str) -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Amount:
-    """One number with its unit, or several that share one; as text, in the units that people have chosen.
+    """One number with its unit, or several that share one; as text, in the units chosen for display.
 
-    The format says how many significant digits are worth reading, as in ``f"{amount:4}"``, by default 5; with a ``g``,
-    ``f"{amount:.4g}"``, by default 6, zeros at the end are left out, as of inputs. In other units than SI these have no
-    more digits than in SI, but four.
+    The format sets the number of significant digits, as in ``f"{amount:4}"``, 5 by default; with a ``g``, as in
+    ``f"{amount:.4g}"``, 6 by default, trailing zeros are dropped, as for inputs. An input converted from SI has as many
+    digits as in SI, but at least four.
 
     Attributes
     ----------
     values : tuple of float
-        In ``unit``.
+        The numbers, in ``unit``.
     unit : str
-        Of Python and files.
+        The unit in Python and files.
     read : str
-        The unit in which people read such numbers, before they choose others.
+        The SI unit in which such numbers are displayed.
     between : str
-        What stands between several numbers.
+        Separator between several numbers.
 
     Examples
     --------
@@ -196,21 +196,21 @@ class Amount:
         return f"{self.between.join(numbers)} {unit}".rstrip()
 
     def apart(self, spec: str = "") -> tuple[list[str], str]:
-        """Return the numbers as text, and the unit that they share."""
+        """Return the numbers as text and the unit that they share."""
         (factor, unit), precision = self.scale, spec.strip(".g")
         if not spec.endswith("g"):
             return [format_digits(factor * value, int(precision or 5)) for value in self.values], unit
         most = int(precision or 6)
         if current_units() is SI:
             return [format_input(factor * value, most) for value in self.values], unit
-        # An input converted to other units has not become more exact by that.
+        # Conversion to other units does not make an input more precise.
         si = self._scale_in(SI)[0]
         exact = [min(most, max(_FEWEST, _written(si * value, most))) for value in self.values]
         return [format_input(factor * value, number) for value, number in zip(self.values, exact, strict=True)], unit
 
     @property
     def scale(self) -> tuple[float, str]:
-        """What turns the values into numbers that people read, and the unit of these."""
+        """Factor that converts the values to the displayed unit, and that unit."""
         return self._scale_in(current_units())
 
     def _scale_in(self, units: Units) -> tuple[float, str]:
@@ -221,7 +221,7 @@ class Amount:
 
 
 def amount(values: float | Iterable[float], unit: str, read: str = "", between: str = ", ") -> Amount:
-    """Return one number or several in a unit of Python and files, which people read in another one."""
+    """Return one number or several in a unit of Python and files, with the SI unit in which they are displayed."""
     several = values if isinstance(values, Iterable) else (values,)
     return Amount(tuple(map(float, several)), unit, read, between)
 
@@ -232,12 +232,12 @@ def mm(*values: float, between: str = ", ") -> Amount:
 
 
 def um(*values: float, between: str = ", ") -> Amount:
-    """Return short lengths, given in mm, that people read in micrometres."""
+    """Return short lengths, given in mm and displayed in micrometres."""
     return amount(values, "mm", "um", between)
 
 
 def mrad(*values: float, between: str = ", ") -> Amount:
-    """Return angles, given in rad, that people read in milliradians."""
+    """Return angles, given in rad and displayed in milliradians."""
     return amount(values, "rad", "mrad", between)
 
 
@@ -247,12 +247,12 @@ def mpa(*values: float, between: str = ", ") -> Amount:
 
 
 def newton(*values: float, between: str = ", ") -> Amount:
-    """Return forces [N], in kN where they are large."""
+    """Return forces [N], displayed in kN where they are large."""
     return amount(values, "N", between=between)
 
 
 def newton_mm(*values: float, between: str = ", ") -> Amount:
-    """Return moments [N mm], in N m where they are large."""
+    """Return moments [N mm], displayed in N m where they are large."""
     return amount(values, "N mm", between=between)
 
 
@@ -276,7 +276,7 @@ class EndStrength:
 
     @property
     def values(self) -> tuple[float]:
-        """The strength, as an `Amount` has it."""
+        """The strength as a tuple, like `Amount.values`."""
         return (self.value,)
 
     @property
@@ -286,7 +286,7 @@ class EndStrength:
 
     @property
     def apart(self) -> tuple[float, str, str]:
-        """The strength in the units that are read, and the units of pressure and of length."""
+        """The strength in displayed units, and the units of pressure and of length."""
         (pressure, stress), (length, distance) = current_units().of("MPa"), current_units().of("mm")
         return self.value * stress * distance**self.exponent, pressure, length
 
@@ -307,7 +307,7 @@ def describe_load(load: float, tilt: float) -> str:
 
 
 def of_dimension(values: Iterable[float], unit: str, between: str = " to ") -> Amount:
-    """Return dimensions, angles or loads in the units in which people write them, micrometres where they are small.
+    """Return dimensions, angles or loads in the units in which drawings write them, micrometres where they are small.
 
     Examples
     --------
@@ -329,7 +329,7 @@ def format_digits(value: float, significant: int = 5) -> str:
     """
     if value == 0.0 or not math.isfinite(value):
         return f"{value:g}".replace("-0", "0")
-    # That of the rounded number: 0.999999 has one digit before the point.
+    # The decade of the rounded number: 0.999999 rounds to 1.0000.
     decade = int(f"{value:.{significant - 1}e}".partition("e")[2])
     if not -4 <= decade < 8:
         return f"{value:.{significant - 1}e}"
@@ -349,13 +349,13 @@ def format_input(value: float, significant: int = 6) -> str:
 
 
 def _written(value: float, most: int) -> int:
-    """Return with how many significant digits a number is written, of which zeros at the end are none."""
+    """Return the number of significant digits of a number, without trailing zeros."""
     mantissa = format_input(value, most).partition("e")[0]
     return len(mantissa.lstrip("-").replace(".", "").strip("0")) if math.isfinite(value) else most
 
 
 def format_column(values: Iterable[float], significant: int = 5) -> list[str]:
-    """Return numbers that stand below one another: with the decimals that suit the largest of them.
+    """Return the numbers of a column, all with the decimals that suit the largest of them.
 
     Examples
     --------
@@ -371,7 +371,7 @@ def format_column(values: Iterable[float], significant: int = 5) -> list[str]:
 
 
 def percent(relative: float, significant: int = 2) -> str:
-    """Return a difference in per cent with its sign, without decimals where it is large; nothing where it is rounding.
+    """Return a difference in per cent with its sign, without decimals if it is large; empty if it is rounding error.
 
     Examples
     --------
@@ -385,7 +385,7 @@ def percent(relative: float, significant: int = 2) -> str:
 
 
 def with_error(shown: Amount, error: float) -> str:
-    """Return an amount of one number with its standard error, in its unit, both to the second digit of that.
+    """Return an amount of one number with its standard error, both to the second digit of the error.
 
     Examples
     --------
@@ -399,14 +399,14 @@ def with_error(shown: Amount, error: float) -> str:
     if not (math.isfinite(error) and error > 0.0):
         return f"{format_digits(value)} +- {format_digits(error)} {unit}".rstrip()
     place = 1 - math.floor(math.log10(error))
-    # Nothing below zero is left of -0.4 that is rounded; the sum of -0.0 and 0.0 has no sign.
+    # -0.4 rounds to -0.0; adding 0.0 drops the sign.
     return (
         f"{' +- '.join(f'{round(number, place) + 0.0:.{max(place, 0)}f}' for number in (value, error))} {unit}".rstrip()
     )
 
 
 def error_words(relative: float) -> str:
-    """Return words about an estimated relative error; none where it is only rounding.
+    """Return an estimated relative error in words; empty if it is only rounding error.
 
     Examples
     --------
@@ -421,7 +421,7 @@ def error_words(relative: float) -> str:
 
 
 def worth_reading(relative: float) -> str:
-    """Return the format of an amount with an estimated relative error, in which that is more than one of its digits.
+    """Return the format of an amount with this estimated relative error, without digits smaller than the error.
 
     Examples
     --------
@@ -432,7 +432,7 @@ def worth_reading(relative: float) -> str:
 
 
 def format_error(relative: float) -> str:
-    """Return an estimated relative error in per cent: of an estimate, one digit is worth reading.
+    """Return an estimated relative error in per cent, with one digit: an estimate deserves no more.
 
     Examples
     --------

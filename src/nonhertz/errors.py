@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-# A word of four letters with one wrong, or two exchanged, is as close as 0.75; "aluminium" is to "unobtainium" as 0.6.
+# A four-letter word with one letter wrong or two swapped scores 0.75; "aluminium" against "unobtainium" scores 0.6.
 _CLOSE = 0.7
 
 
@@ -70,7 +70,7 @@ class InputError(NonhertzError, ValueError):
 
 
 class UnknownKeyError(InputError):
-    """A name that is none of those that can be given.
+    """An unknown name.
 
     Parameters
     ----------
@@ -79,11 +79,11 @@ class UnknownKeyError(InputError):
     value : object
         The value given.
     meant : str
-        The known name closest to it; empty if none is close.
+        The closest known name; empty if none is close.
     remedy : str
         What to do where none is close.
     noun, owner : str
-        What kind of name it is, and of what.
+        What kind of name it is, and what it belongs to.
 
     Examples
     --------
@@ -114,9 +114,9 @@ class UnknownKeyError(InputError):
 
 
 class InputsError(InputError):
-    """Several errors of one input; where only one can be said it is the first.
+    """Several errors of one input; where only one can be shown it is the first.
 
-    Without any, what is wrong has been said where it is, and this input depends on it.
+    Without any, the mistake has been reported for another input, on which this one depends.
     """
 
     def __init__(self, errors: Iterable[InputError]) -> None:
@@ -145,7 +145,7 @@ class CaseError(NonhertzError):
     mistakes : iterable of str
         The mistakes, one sentence each.
     places : iterable of str
-        The key that each is about, such as ``"body.a.profile[1].radius"``; empty if it is about the whole file.
+        The key of each mistake, such as ``"body.a.profile[1].radius"``; empty if it concerns the whole file.
 
     Examples
     --------
@@ -215,14 +215,14 @@ class AccuracyWarning(UserWarning):
 
 @contextlib.contextmanager
 def without_accuracy_warnings() -> Iterator[None]:
-    """Solve without an `AccuracyWarning`, where what it says is shown with the results or does not matter."""
+    """Silence `AccuracyWarning` where the results show the same findings or they do not matter."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", AccuracyWarning)
         yield
 
 
 def shown(value: object) -> str:
-    """Return a value as messages show it: numbers plain and without the rounding of what they were computed from.
+    """Return a value as messages show it: numbers plain and without rounding error.
 
     Examples
     --------
@@ -237,7 +237,7 @@ def shown(value: object) -> str:
 
 
 def nearest(word: object, known: Iterable[str]) -> str:
-    """Return the known word that ``word`` may be a slip or a part of; empty if none is close.
+    """Return the known word that ``word`` may misspell or abbreviate; empty if none is close.
 
     Examples
     --------
@@ -276,5 +276,5 @@ def _rounded(value: object) -> object:
         value = value.item()
     if type(value) is float:
         return float(f"{value:.12g}")
-    # Of longer ones only the beginning is shown.
+    # Only the beginning of a longer one is shown.
     return type(value)(map(_rounded, value[:60])) if type(value) in (list, tuple) else value  # type: ignore[index,call-arg]

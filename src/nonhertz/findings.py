@@ -1,4 +1,4 @@
-"""What is found about a result, as values: a kind and its numbers, of which a sentence is made where people read it."""
+"""Findings about a result as values: a kind and its numbers, from which a sentence is made where it is shown."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from nonhertz.errors import AccuracyWarning
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing found about a result: a warning, a remark, a verdict.
+    """One finding about a result: a warning, a remark, a verdict.
 
-    As text it is a sentence, with its numbers in the units that people have chosen.
+    As text it is a sentence, with its numbers in the units chosen for display.
 
     Attributes
     ----------
     kind : str
-        What it is: the same for all findings that differ in their numbers alone.
+        Code of the finding: the same for all findings that differ only in their numbers.
     words : str
         The sentence, with the names of the numbers in braces, as `str.format` has them.
     numbers : tuple of pairs
-        Name and value of each number; also of words and of findings that are part of it.
+        Name and value of each number, and of words and findings inserted into the sentence.
 
     Examples
     --------
@@ -45,7 +45,7 @@ class Finding:
 
     @classmethod
     def from_text(cls, sentence: str, kind: str = "") -> Finding:
-        """Return a finding of which only the sentence is known."""
+        """Return a finding that consists of a sentence only."""
         return cls(kind, "{sentence}", (("sentence", sentence),))
 
     def __str__(self) -> str:
@@ -68,13 +68,13 @@ class Finding:
 
 
 class HasFindings:
-    """What things were found about, as its field ``findings``."""
+    """Mixin for results with a field ``findings``."""
 
     findings: tuple[Finding, ...]
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """The findings, a sentence each."""
+        """The findings as sentences."""
         return sentences(self.findings)
 
 
@@ -84,12 +84,12 @@ def finding(kind: str, words: str, /, **numbers: Any) -> Finding:
 
 
 def sentences(findings: Iterable[Finding]) -> tuple[str, ...]:
-    """Return what findings say, without repeats."""
+    """Return the sentences of findings, without repeats."""
     return tuple(dict.fromkeys(map(str, findings)))
 
 
 def as_warnings(findings: Iterable[Finding], notes: Iterable[str] = ()) -> dict[str, Any]:
-    """Return findings as files have them: sentences, after any notes, and kinds with their numbers."""
+    """Return findings as files store them: notes and sentences, and kinds with their numbers."""
     objects = [entry.as_object() for entry in dict.fromkeys(findings)]
     return {"warnings": list(dict.fromkeys((*notes, *(item.pop("sentence") for item in objects)))), "findings": objects}
 

@@ -1,7 +1,7 @@
-"""What a public module shows, and names of a package that are imported when somebody asks for them.
+"""What ``dir`` of a public module lists, and names of a package that are imported on first access.
 
-So a module of a package can be imported without the package's others, and what these need; and ``dir`` of a public
-module lists what is public and nothing else.
+A module of a package can thus be imported without the other modules and their dependencies, and ``dir`` of a public
+module lists only public names.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Dir = Callable[[], list[str]]
 
 
 def dir_of(module: str) -> Dir:
-    """Return ``__dir__`` of the module of this name: what is in its ``__all__``."""
+    """Return ``__dir__`` of the module of this name: the names in its ``__all__``."""
     return lambda: sorted(sys.modules[module].__all__)
 
 
@@ -28,9 +28,9 @@ def attach(
     Parameters
     ----------
     package : str
-        Its name.
+        Name of the package.
     homes : mapping of str to tuple of str
-        Its modules, and which of their names are the package's own, too.
+        Its modules, and the names of each that the package exports.
     renamed : mapping of str to str, optional
         Old names, which work for one release with a DeprecationWarning, and the names in their place.
     """

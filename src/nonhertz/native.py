@@ -1,4 +1,4 @@
-"""The numbers in C++: the module that was built for this processor, as `core`."""
+"""The compiled C++ module that suits this processor, as `core`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from nonhertz import _core as core
 else:
-    # The faster first: it does not load on a processor that has not its instructions.
+    # The faster one first: it does not load on a processor that lacks its instructions.
     reasons = []
     for name in ("_core_v3", "_core"):
         try:

@@ -1,4 +1,4 @@
-"""Whether an installation computes right: some numbers of every part, beside publications, closed forms, other methods.
+"""Check of an installation: some numbers of every part against publications, closed forms and other methods.
 
 The whole validation, hundreds of such claims, is in tests/claims of the source distribution.
 """
@@ -34,9 +34,9 @@ _STANDARD = "ISO 281 by other programs"
 
 @dataclass(frozen=True)
 class Claim:
-    """What a number is, where it is from, what it should be and how nearly, and what computes it.
+    """A number with its source, expected value and tolerance, and the function that computes it.
 
-    The tolerance is relative; absolute where nothing is expected.
+    The tolerance is relative; absolute where the expected value is 0.
     """
 
     quantity: str
@@ -46,7 +46,7 @@ class Claim:
     compute: Callable[[], float]
 
     def difference(self, computed: float) -> float:
-        """Return the relative difference of a number from what is expected; the absolute one from 0."""
+        """Return the relative difference of a number from the expected value; the absolute one from 0."""
         return computed - self.expected if self.expected == 0.0 else computed / self.expected - 1.0
 
 
@@ -60,7 +60,7 @@ class Check:
 
     @property
     def difference(self) -> float:
-        """Difference from what is expected, as `Claim.difference` has it."""
+        """Difference from the expected value, as in `Claim.difference`."""
         return self.claim.difference(self.computed)
 
     @property
@@ -80,12 +80,12 @@ def run(announce: Callable[[str], object] | None = None) -> Iterator[Check]:
 
 
 def middle(solution: Solution, name: str) -> float:
-    """Return what the strip in the middle of the contact has."""
+    """Return an attribute of the solution at the strip in the middle of the contact."""
     return float(getattr(solution, name)[np.abs(solution.y).argmin()])
 
 
 def _elements() -> Iterator[Claim]:
-    # From the curvature in the middle of a long strip, half of which each edge gives.
+    # From the curvature in the middle of a long strip, to which each edge contributes half.
     def factor(element: Element) -> float:
         return 2.0 * float(element.functions(1e4)[2])
 
@@ -144,7 +144,7 @@ def _ends() -> Iterator[Claim]:
 
 
 def _displacement(y: float) -> float:
-    """Return how far the surface of a solid roller moves over K q, under even line loads on two opposite sides."""
+    """Return w / (K q) of the surface of a solid roller under uniform line loads on two opposite sides."""
     roller = Roller(diameter=20.0, length=20.0, material=STEEL, side_faces="free", depth="finite")
     plate = Plate(material=STEEL, **AS_HALF_SPACE)
     outer = 10.0 - np.geomspace(0.005, 0.12, 14)
@@ -154,7 +154,7 @@ def _displacement(y: float) -> float:
         displacements(influence, np.array([y]), edges, 1.0 / square, square, SEMI_ELLIPTIC)
         for influence in (influence_of(Contact(roller, plate), SEMI_ELLIPTIC), Influence(HALF_SPACE))
     )
-    # Shares in the compliance of the contact are halves, as both are of one material.
+    # Both bodies are of one material: each has half of the contact's compliance.
     return float(2.0 * both[0] - half_spaces[0])
 
 
@@ -195,7 +195,7 @@ def _life() -> Iterator[Claim]:
 
 
 def _bearing() -> Iterator[Claim]:
-    """Yield those of the example of ISO/TS 16281: 14 straight rollers of 10 x 9.6 mm, recomputed independently."""
+    """Yield claims on the example of ISO/TS 16281: 14 straight rollers of 10 x 9.6 mm, recomputed independently."""
     row = bearing.CylindricalRollerBearing(
         roller=Roller(diameter=10.0, length=9.6), inner=Ring(diameter=55.0), outer=Ring(diameter=-75.0), rollers=14,
         clearance=0.0406,
@@ -230,7 +230,7 @@ def _maps_and_profiles() -> Iterator[Claim]:
     )  # fmt: skip
 
 
-#: What is claimed, by section, in the order in which it is computed.
+#: Claims by section, in the order in which they are computed.
 SECTIONS: dict[str, Callable[[], Iterator[Claim]]] = {
     "Strip elements": _elements,
     "Elliptical contact": _hertz,

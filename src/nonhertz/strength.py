@@ -1,14 +1,14 @@
-"""Whether the bodies of a solved contact bear it: yielding, hardened cases, pressure at rest.
+"""Strength of the bodies of a solved contact: yielding, hardened cases, static safety.
 
-`assess` compares a solution with what the material of a body bears (`nonhertz.Material`): the largest pressure with its
-limit, the largest equivalent stress of the actual field below the surface with the yield strength, in a hardened case
-and in the core below it, and the depth of the case with the depths of the largest shear stresses. Each comparison is
-one `Check` with one sentence; where a strength is not known, or the stress has no limit, it says so. `judge` answers
-the same questions without a search, which takes seconds, where the pressure is far enough from that at which Hertz's
-contacts begin to yield.
+`assess` compares a solution with the strength of a body's material (`nonhertz.Material`): the largest pressure with its
+limit; the largest equivalent stress below the surface with the yield strength, in a hardened case and in the core below
+it; and the depth of the case with the depths of the largest shear stresses. Each comparison is one `Check` with one
+sentence, which also says if a strength is not known or the stress is singular. `judge` answers the same questions
+without the search of the stress field, which takes seconds, wherever the pressure is far enough from that at which
+Hertzian contacts begin to yield.
 
-The solution is elastic and knows neither friction nor residual stress: a ratio above 1 says that yielding begins, not
-how far it goes, nor what a compressive residual stress in a case would carry.
+The solution is elastic, without friction and residual stress: a ratio above 1 says that yielding begins, not how far it
+goes, and compressive residual stress in a case is not counted.
 """
 
 from __future__ import annotations
@@ -47,14 +47,14 @@ __dir__ = dir_of(__name__)
 #: Criteria of yielding: what the equivalent stress of each is called.
 CRITERIA: Final = {"von-mises": "von Mises stress", "tresca": "Tresca stress (twice the maximum shear stress)"}
 
-EQUAL = 1e-6  # relative: half-widths that differ by less are one
-#: How far a pressure has to be from that at which a Hertzian contact begins to yield, for the field not to be searched.
+EQUAL = 1e-6  # relative: half-widths that differ by less count as equal
+#: The field is not searched where the pressure and the onset of yield of a Hertzian contact differ by this factor.
 CLEAR: Final = 1.1
 _DEEPEST_SHEAR: Final = 0.786  # half-widths below a line contact: the maximum shear stress; Johnson 1985, section 4.2
 
 
 class CheckStatus(StrEnum):
-    """How a comparison ends."""
+    """Outcome of a comparison."""
 
     FINE = "fine"
     OVER = "over"
@@ -63,7 +63,7 @@ class CheckStatus(StrEnum):
 
 @dataclass(frozen=True, repr=False)
 class Check(ReadOnly):
-    """What acts, compared with what the material bears.
+    """A stress or pressure compared with the strength of the material.
 
     Attributes
     ----------
@@ -72,11 +72,11 @@ class Check(ReadOnly):
     verdict : Verdict
         Whether the strength of the material is exceeded.
     ratio : float
-        What acts over what is borne [-], above 1 where it is too much; NaN where it is not known.
+        Stress over strength [-], above 1 where the strength is exceeded; NaN where it is not known.
     finding : Finding
-        All of it.
+        The comparison in one sentence, with its numbers.
     unasked : bool
-        Whether it is not known since the material lacks the number to compare with.
+        Whether the outcome is not known because the material lacks the strength to compare with.
     """
 
     name: str
@@ -87,7 +87,7 @@ class Check(ReadOnly):
 
     @property
     def sentence(self) -> str:
-        """All of it in one sentence."""
+        """The comparison in one sentence."""
         return str(self.finding)
 
 
@@ -102,14 +102,14 @@ class Strength(HasFindings, ReadOnly, HasHtml):
     criterion : str
         The criterion of yielding, a key of `CRITERIA`.
     checks : tuple of Check
-        The pressure, yielding, of a hollow roller the bore, and of a case-hardened body the core and the depth of the
+        Pressure and yielding; for a hollow roller also the bore, for a case-hardened body the core and the depth of the
         case.
     largest : Extremes
         The largest stresses in the body, with their positions.
     core : Extremes or None
-        The largest stresses below the case; None without one.
+        The largest stresses below the case; None without a case.
     findings : tuple of Finding
-        What was left out of the search for the largest stresses, and other limitations.
+        Limitations, such as places left out of the search for the largest stresses.
     """
 
     body: BodyName
@@ -129,7 +129,7 @@ class Strength(HasFindings, ReadOnly, HasHtml):
 
     @property
     def static_safety(self) -> float:
-        """S_0 = (limit of pressure / largest pressure)^2 [-], that of a line contact; NaN where it is not known."""
+        """S_0 = (limit of pressure / largest pressure)^2 [-], as for a line contact; NaN where it is not known."""
         return 1.0 / self._ratio("pressure") ** 2
 
     @property
@@ -144,7 +144,7 @@ class Strength(HasFindings, ReadOnly, HasHtml):
 
     @property
     def verdict(self) -> CheckStatus:
-        """Over if any check is, else not known if any is, else fine."""
+        """The worst of the checks: over, else not known, else fine."""
         verdicts = {check.verdict for check in self.checks}
         return next(level for level in (CheckStatus.OVER, CheckStatus.UNKNOWN, CheckStatus.FINE) if level in verdicts)
 
@@ -162,9 +162,9 @@ def assess(
     solution : Solution or PatchSolution
         A solved contact, with the strength of its materials.
     criterion : str
-        ``"von-mises"``, or ``"tresca"``, by which a body yields at loads that are the same or smaller.
+        ``"von-mises"``, or ``"tresca"``, which predicts yielding at the same or a smaller load.
     largest : Extremes, optional
-        The largest stresses of the body if they are at hand, from `nonhertz.subsurface.extremes`; searched otherwise.
+        The largest stresses of the body from `nonhertz.subsurface.extremes`, if already computed; searched otherwise.
     **options
         ``body``, ``threads`` and ``callback`` as in `nonhertz.subsurface.stress`.
 
@@ -183,11 +183,11 @@ def assess(
     pressure, hence the square here; in a point contact it grows with the cube, and at an end or under a tilt by no
     power at all: `nonhertz.bearing.pressure_safety` solves for the load.
 
-    Yielding begins where the equivalent stress reaches the yield strength Y. Of Hertz's line contact that is at a
-    pressure of 1.67 Y by Tresca and 1.79 Y by von Mises [1]_. A hardened body has its own yield strength down to
-    ``case_depth`` and that of the core below: a step, where hardness falls gradually. The case has to reach below the
-    largest shear stresses of the whole body and of the cross-section where the contact is widest, which is where they
-    lie deepest.
+    Yielding begins where the equivalent stress reaches the yield strength Y: in Hertz's line contact at a
+    pressure of 1.67 Y by Tresca and 1.79 Y by von Mises [1]_. A hardened body has the yield strength of its case down
+    to ``case_depth`` and that of its core below: a step, where hardness falls gradually. The case has to reach below
+    the largest shear stresses of the whole body and of the cross-section where the contact is widest, where they lie
+    deepest.
 
     References
     ----------
@@ -204,7 +204,7 @@ def assess(
     >>> found.yield_ratio < 1.0
     True
     """
-    # Imported here, because few contacts are searched to be judged.
+    # Imported here: most contacts are judged without a search.
     from nonhertz.subsurface import Extremes, extremes
     from nonhertz.subsurface.evaluation import Within, refuse_options
     from nonhertz.subsurface.inside import Inside, check_solution
@@ -224,13 +224,13 @@ def assess(
     if body.case_depth is not None:
         options.pop("callback", None)
         at = (largest.von_mises.z, largest.shear.z)
-        # A largest value of the whole body need not be searched again in the part that it lies in.
+        # The largest value of the whole body is also the largest of the part that it lies in.
         case = largest if max(at) <= body.case_depth else extremes(solution, depths=(0.0, body.case_depth), **options)
         below = (body.case_depth, math.inf)
         core = largest if min(at) >= body.case_depth else None
         if core is None and body.case_depth < inside.extent.thickness(solution.y).max():
             core = extremes(solution, depths=below, **options)
-        # Not at a bore, which no case of the surface reaches.
+        # Not at a bore: the case of the surface does not reach it.
         half = (0.0, 0.5 * float(inside.extent.thickness(solution.y).min()))
         below_contact.append(extremes(solution, depths=half, **options) if largest.shear.at_bore else largest)
         # A narrow peak of pressure has its largest stress near the surface; below a wide contact it is deepest.
@@ -250,7 +250,7 @@ def assess(
 def judge(
     solution: Solution, *, body: BodyName, search: bool = True, called: str = "", where: str = ""
 ) -> tuple[Check, ...]:
-    """Return the checks of `assess` that the material allows, by the largest pressure alone where that decides.
+    """Return the checks of `assess` that the material allows, from the largest pressure alone where that decides.
 
     Parameters
     ----------
@@ -262,21 +262,21 @@ def judge(
         Whether the stress below the surface is searched where the pressure does not decide, which takes seconds; the
         question is left open otherwise.
     called, where : str
-        For a contact in a bearing, what sentences call the body, such as ``"the inner ring"``, and where they say that
-        the pressure is; if left out, ``"body a"`` and nothing.
+        For a contact in a bearing, the name of the body in sentences, such as ``"the inner ring"``, and the place of
+        the pressure; by default ``"body a"`` and none.
 
     Returns
     -------
     tuple of Check
-        Empty where nothing is known of what the body bears.
+        Empty where no strength of the body is known.
 
     Notes
     -----
-    By von Mises, whose stress every contact has somewhere between those of a circle and a line: below the pressure at
-    which a point contact begins to yield a body does not, above that of a line contact it does, see `onset_of_yield`,
-    both by a margin of 10 %. A case and the core below it are judged likewise by Hertz's line contact, which reaches
-    deepest. Bodies with a bore, and contacts whose pressure does not run out at their ends, have stresses of another
-    kind, which are searched.
+    The criterion is von Mises. The largest von Mises stress of any contact lies between those of a circular and of a
+    line contact at the same pressure: a body does not yield below the pressure at which a point contact begins to
+    yield, and yields above that of a line contact, see `onset_of_yield`, both with a margin of 10 %. A case and the
+    core below it are judged in the same way by Hertz's line contact, whose stress reaches deepest. Bodies with a bore,
+    and contacts whose pressure does not fall to zero at their ends, have other stresses, which are searched.
     """
     part = solution.contact.bodies[body]
     question = _BodyCheck(called or f"body {body}", part, "von-mises", _Limit.of(solution), stepped=False, where=where)
@@ -292,15 +292,15 @@ def judge(
 
 @dataclass(frozen=True)
 class _Limit:
-    """Whether pressure and stress have a limit everywhere.
+    """Whether pressure and stress are bounded everywhere.
 
     Attributes
     ----------
     towards : Finding or None
-        The places towards which they have none.
+        The places at which they are singular.
     away : bool
-        Whether the largest values are those more than a half-width away from these places, which refinement does not
-        change, so that a strength that they exceed is exceeded.
+        Whether the largest values reported lie more than a half-width away from these places: refinement does not
+        change them, so a strength that they exceed is exceeded.
     """
 
     towards: Finding | None
@@ -308,7 +308,7 @@ class _Limit:
 
     @classmethod
     def of(cls, solution: Solved) -> _Limit:
-        """Return that of a solution."""
+        """Return the limit of a solution."""
         places = {"ends": ends_in_words(solution.singular_ends)} if solution.singular_ends else {}
         if solution.peaks_at_corner:
             corner = "the corner of the profile at y = {y:.5g}"
@@ -327,7 +327,7 @@ class _Limit:
 
 @dataclass(frozen=True)
 class _BodyCheck:
-    """What is asked of a body."""
+    """The checks of one body."""
 
     name: str
     body: Body
@@ -357,7 +357,7 @@ class _BodyCheck:
         return _compare("pressure", ratio, what, allowed, limit, safety, **numbers)
 
     def without_search(self, solution: Solution) -> Iterator[Check]:
-        """Yield what the largest pressure says of yielding and of a case: not known where only a search can tell."""
+        """Yield the checks of yielding and the case by the largest pressure: not known where only a search can tell."""
         material, depth = self.body.material, self.body.case_depth
         pressure, wide = solution.max_pressure, solution.max_half_width
         usual = self.body.bore is None and all(end.kind is EdgeKind.RUN_OUT for end in solution.edge_pressure)
@@ -368,10 +368,10 @@ class _BodyCheck:
         core = material.core_yield_strength
         stress = pressure * von_mises_on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= DEPTHS].max()
         if not (usual and (core is None or CLEAR * stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
-            yield _not_known("core", f"Whether case and core of {self.name} bear it is decided by a search.")
+            yield _not_known("core", f"Whether the case or core of {self.name} yields can only be decided by a search.")
             return
         if core is not None:
-            words = f"The core of {self.name} does not yield: no more than {{stress:3}} reach it, of {{core:g}}."
+            words = f"The core of {self.name} does not yield: its stress is at most {{stress:3}}, below {{core:g}}."
             yield _judged("core", stress / core, words, stress=mpa(stress), core=mpa(core))
         words = f"The case of {self.name}, {{depth:g}} deep, reaches below the largest shear stresses."
         yield _judged("case depth", _DEEPEST_SHEAR * wide / depth, words, depth=mm(depth))
@@ -385,7 +385,7 @@ class _BodyCheck:
         elif usual and CLEAR * pressure <= point * strength:
             kind, factor, answer, beside = "point", point, "does not yield", "is below"
         else:
-            return _not_known("yield", f"Whether {what} yields is decided by a search for its largest stress.")
+            return _not_known("yield", f"Whether {what} yields can only be decided by a search for its largest stress.")
         words = f"{_capitalise(what)} {answer}: the largest pressure of {{pressure}} {beside} {{onset:4}}, "
         words += f"{factor:.3g} times its yield strength, at which a {kind} contact begins to yield."
         onset = factor * strength
@@ -413,7 +413,7 @@ class _BodyCheck:
             yield _not_known("core", f"Whether {what} yields is not known: the body has no case depth.", unasked=True)
 
     def of_case(self, largest: list[Extremes]) -> Iterator[Check]:
-        """Yield the check of how deep the case is, if there is one: below the deepest of the largest shear stresses."""
+        """Yield the check of the case depth, if there is a case: it must reach below the largest shear stresses."""
         name, depth, case = "case depth", self.body.case_depth, f"the case of {self.name}"
         if depth is None:
             return
@@ -457,7 +457,7 @@ class _BodyCheck:
             )
         ratio = extreme.max / allowed
         if self.stepped and ratio <= 1.0:
-            return _not_known(name, f"{open_question}: the bending of the wall between steps of its bore is not known.")
+            return _not_known(name, f"{open_question}: bending of the wall between steps of its bore is not computed.")
         if self.limit:
             answer = "does not yield" if ratio <= 1.0 else "yields"
             words = f"{_capitalise(what)} {answer}: its largest {stress}, {found_there},"

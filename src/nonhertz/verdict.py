@@ -1,7 +1,7 @@
-"""Whether a contact, a bearing or several of them bear their loads: one word, and what decides it.
+"""Verdict on a contact, a bearing or several of them under load: one word, and the finding that decides it.
 
-Judged is by what is known of each material: its limit of the pressure, and its yield strength. Where neither is known,
-nothing is said to be met.
+Each body is judged by the known limits of its material: pressure limit and yield strength. Where neither is known,
+no limit is reported as met.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.operating import OperatingClearance
     from nonhertz.bearing.solution import BearingSolution
 
-#: What is said where a check is passed.
+#: Words for a check that is passed.
 _PASSED: Final = {
     "pressure": "static pressure below its limit",
     **dict.fromkeys(("yield", "bore", "core"), "no yielding"),
@@ -43,13 +43,13 @@ _PASSED: Final = {
     "film": "lambda of at least 1",
     "rib-limit": "axial load as permitted",
 }
-#: What is said of ends and corners has a line of its own; all else that is found strains the model.
+#: Findings on ends and corners have a line of their own; all other findings strain the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
 _MOST_MATERIALS: Final = 12  # in one study; the worst row of each is solved once more
 
 
 class Level(Enum):
-    """How a verdict ends, from the best to the worst."""
+    """Outcome of a verdict, from the best to the worst."""
 
     MET = "below limits"
     STRAINED = "model strained"
@@ -59,7 +59,7 @@ class Level(Enum):
 
     @property
     def rank(self) -> int:
-        """The larger, the worse."""
+        """Rank of the level: the larger, the worse."""
         return list(Level).index(self)
 
 
@@ -73,14 +73,14 @@ class Verdict:
     Attributes
     ----------
     level : Level
-        The worst of what was found.
+        The worst level of its findings.
     findings : tuple of Finding
-        What decides it, the worst first.
+        The findings that decide it, the worst first.
     where : str
-        If one of several, what it is the verdict on, such as ``"under 20 kN"``; empty if there is only one.
+        Which of several it is about, such as ``"under 20 kN"``; empty if there is only one.
     severity : tuple of two float
-        The largest ratio of what acts to what is borne [-] and the largest pressure [MPa], by which verdicts that end
-        alike are ordered.
+        The largest ratio of stress to strength [-] and the largest pressure [MPa]; verdicts of equal level are ordered
+        by them.
     """
 
     level: Level
@@ -90,7 +90,7 @@ class Verdict:
 
     @property
     def words(self) -> str:
-        """How it ends, as the beginning of what people read: where nothing is exceeded, what was judged."""
+        """The level in words; where no limit is exceeded, the checks that were passed."""
         passed = dict.fromkeys(_PASSED[finding.kind] for finding in self.findings if finding.kind in _PASSED)
         ends = ", ".join(passed) if self.level is Level.MET else self.level.value
         among = ("; worst " if self.level is Level.MET else " ") if self.where else ""
@@ -98,11 +98,11 @@ class Verdict:
 
     @property
     def sentence(self) -> str:
-        """What decides it first."""
+        """The first finding that decides it, as a sentence."""
         return str(self.findings[0]) if self.findings else ""
 
     def as_object(self) -> dict[str, Any]:
-        """Return it for programs."""
+        """Return the verdict for JSON."""
         return {
             "level": self.level.name.lower().replace("_", "-"),
             **({"where": self.where} if self.where else {}),
@@ -111,7 +111,7 @@ class Verdict:
 
 
 def verdict_to_object(verdict: Verdict | None) -> dict[str, Any] | None:
-    """Return a verdict, if there is one, as files have it."""
+    """Return a verdict, if there is one, as files store it."""
     return None if verdict is None else verdict.as_object()
 
 
@@ -123,9 +123,10 @@ def judge_contact(solution: Solution, strengths: Iterable[Strength] = (), *, sea
     solution : Solution
         The solved contact.
     strengths : iterable of Strength
-        What `nonhertz.strength.assess` found of the bodies, if it was asked; others are judged here.
+        Results of `nonhertz.strength.assess`, if it was called; the other bodies are judged here.
     search : bool
-        Whether stress is searched where the pressure does not decide whether a body yields, which takes seconds.
+        Whether the stress field is searched, which takes seconds, where the pressure does not decide whether a body
+        yields.
     """
     if not solution.contact_y:
         return None
@@ -144,21 +145,21 @@ def judge_contact(solution: Solution, strengths: Iterable[Strength] = (), *, sea
 
 
 def judge_loads(solved: Iterable[tuple[Solution, Any]]) -> Verdict | None:
-    """Return the worst verdict on a contact under several loads; of pairs, each with something else such as a share."""
+    """Return the worst verdict on a contact under several loads, from pairs of a solution and its share or the like."""
     return worst_verdict(
         {f"under {describe_load(solution.load, solution.tilt)}": judge_contact(solution) for solution, _ in solved}
     )
 
 
 def add_life(verdict: Verdict | None, life: float | None, required: float | None) -> Verdict | None:
-    """Return a verdict that counts whether a life [10^6 revolutions] is as long as is asked for, if any is."""
+    """Return a verdict that includes whether a life [10^6 revolutions] reaches the required one, if one is required."""
     if verdict is None or required is None:
         return verdict
     return _add_findings(verdict, [_judge_life(life, required)])
 
 
 def worst_verdict(verdicts: Mapping[str, Verdict | None]) -> Verdict | None:
-    """Return the worst of several verdicts, which says by its name which one it is; None if there are none.
+    """Return the worst of several verdicts, with its name as ``where``; None if there are none.
 
     Examples
     --------
@@ -181,7 +182,7 @@ def judge_rows(
     warned: ArrayLike = (),
     what: str = "row",
 ) -> Verdict | None:
-    """Return the verdict on the rows of a study: that on the row with the largest pressure.
+    """Return the verdict on the rows of a study: the verdict on the row with the largest pressure.
 
     Parameters
     ----------
@@ -190,11 +191,11 @@ def judge_rows(
     judged : callable
         Returns the verdict on a row by its number.
     materials : sequence of hashable
-        For each row, the values of materials that are varied, if any are: each has its own limit.
+        For each row, the values of varied materials, if any are varied: each material has its own limit.
     warned : array_like
-        How many warnings each row has, if that is known.
+        Number of warnings of each row, if known.
     what : str
-        What a row is called.
+        Name of a row, such as ``"row"``.
     """
     known = np.asarray(pressures, dtype=float).ravel()
     solved = np.flatnonzero(np.isfinite(known)).tolist()
@@ -222,7 +223,7 @@ def judge_rows(
 
 
 def _count_beyond(pressures: NDArray[np.float64], worst: Verdict, what: str) -> Iterator[tuple[Level, Finding]]:
-    """Yield how many rows exceed the limit of the pressure that the worst does."""
+    """Yield how many rows exceed the pressure limit that the worst row exceeds."""
     for passed in worst.findings:
         limit = dict(passed.numbers).get("allowed") if passed.kind == "pressure" else None
         if limit is not None and (over := int(np.count_nonzero(pressures > limit.values[0]))):
@@ -238,20 +239,20 @@ def judge_bearing(
     films: Films | None = None,
     limits: Iterable[Limit] = (),
 ) -> Verdict | None:
-    """Return the verdict on a loaded bearing; None where nothing is known of it.
+    """Return the verdict on a loaded bearing; None where there is nothing to judge.
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing.
     life : BearingLife or None
-        How long it lasts, if it is rated.
+        Its rating life, if it is rated.
     clearance : OperatingClearance or None
-        What is left of its clearance, if its fits are known.
+        Its operating clearance, if its fits are known.
     films : Films or None
-        Its films of oil, if speed and oil are known; judged where the roughness is known too.
+        Its oil films, if speed and oil are known; judged where the roughness is known too.
     limits : iterable of Limit
-        How it compares with what makers publish.
+        Comparisons with limits that manufacturers publish.
     """
     findings = list(_judge_fits(clearance))
     checks = list(_check_contacts(solution)) if solution.method == "strips" and solution.load.any() else []
@@ -270,13 +271,13 @@ def judge_bearing(
 def collect_findings(
     solution: BearingSolution, life: BearingLife | None, clearance: OperatingClearance | None
 ) -> tuple[Finding, ...]:
-    """Return what is found about a loaded bearing, its life, and the fits that leave its clearance."""
+    """Return the findings on a loaded bearing, its life and its operating clearance."""
     beside = (source.findings for source in (life, clearance) if source is not None)
     return (*solution.findings, *(item for source in beside for item in source))
 
 
 def _judge_rating(life: BearingLife | None) -> Iterator[tuple[Level, Finding]]:
-    """Yield how static safety and rated life compare with what is needed."""
+    """Yield the findings on static safety and on rated against required life."""
     if life is None:
         return
     if math.isfinite(life.static_safety):
@@ -288,11 +289,11 @@ def _judge_rating(life: BearingLife | None) -> Iterator[tuple[Level, Finding]]:
 
 
 def _judge_films(films: Films | None) -> Iterator[tuple[Level, Finding]]:
-    """Yield how the least film parameter compares with 1, below which surfaces touch all over (Hamrock 2004, ch. 3).
+    """Yield the smallest film parameter against 1, below which the surfaces touch all over (Hamrock 2004, ch. 3).
 
-    That is no limit of makers: it shortens the life (RBC, Heavy Duty Needle Roller Bearings, section 6.2), which ISO
-    281 counts by kappa, and additives are recommended (SKF 2018, page 102). But neither film nor pressure is
-    that of the smooth surfaces which the model has.
+    That is not a manufacturer's limit: it shortens the life (RBC, Heavy Duty Needle Roller Bearings, section 6.2),
+    which ISO 281 counts by kappa, and additives are recommended (SKF 2018, page 102). But film and pressure then
+    differ from those of the smooth surfaces that the model assumes.
     """
     parameter = None if films is None or films.least is None else films.film_parameter
     if films is not None and parameter is not None:
@@ -326,7 +327,7 @@ def _check_contacts(solution: BearingSolution) -> Iterator[Check]:
 
 
 def _order_checks(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
-    """Yield each comparison that the material allows, those with equal words once, the largest ratio first."""
+    """Yield each comparison that the material allows, those of equal wording once, the largest ratio first."""
     levels = {CheckStatus.FINE: Level.MET, CheckStatus.OVER: Level.NOT_MET, CheckStatus.UNKNOWN: Level.NOT_JUDGED}
     required = [check for check in checks if not check.unasked]
     ordered = sorted(required, key=lambda check: -check.ratio if math.isfinite(check.ratio) else 0.0)
@@ -334,7 +335,7 @@ def _order_checks(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:
 
 
 def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding]]:
-    """Yield each material of which neither a limit of the pressure nor a yield strength is known, with its parts."""
+    """Yield each material whose pressure limit and yield strength are both unknown, with its parts."""
     parts: dict[Material, list[str]] = {}
     for part, material in materials.items():
         if material.pressure_limit is None and material.yield_strength is None:
@@ -349,11 +350,11 @@ def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding
 
 def _judge_life(life: float | None, required: float) -> tuple[Level, Finding]:
     if life is None:
-        words = "A life of {required:.4g} million revolutions is asked for, but the life is not known in revolutions."
+        words = "A life of {required:.4g} million revolutions is required, but the life is not known in revolutions."
         return Level.NOT_JUDGED, finding("life", words, required=required)
     enough = life >= required
     verb = "reaches" if enough else "is below"
-    words = f"The life of {{life:.4g}} million revolutions {verb} the {{required:.4g}} that are asked for."
+    words = f"The life of {{life:.4g}} million revolutions {verb} the required {{required:.4g}}."
     return _OF_LIMIT[enough], finding("life", words, life=life, required=required)
 
 
@@ -371,7 +372,7 @@ def _list_strains(findings: Iterable[Finding]) -> Iterator[tuple[Level, Finding]
 
 
 def _add_findings(verdict: Verdict, more: Iterable[tuple[Level, Finding]]) -> Verdict:
-    """Return a verdict that counts more than it did, what decides it first."""
+    """Return a verdict with more findings, ordered again."""
     together = _make_verdict([*((verdict.level, item) for item in verdict.findings), *more], ())
     return replace(verdict, level=together.level, findings=together.findings)
 

@@ -187,7 +187,7 @@ def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():
     with pytest.raises(nh.InputError, match=r"share = 1\.2 must add up to 1 at most"):
         B.solve_spectrum(row(), [B.BearingLoadCase(share=0.6, radial=1e3)] * 2)
     other = B.solve(row(rollers=12), radial=6e3, method="slices")
-    with pytest.raises(nh.InputError, match="solution = 'several' must all be of one bearing"):
+    with pytest.raises(nh.InputError, match="solution = 'several' must all belong to one bearing"):
         B.assess([(found, 0.5), (other, 0.5)])
     with pytest.raises(nh.InputError, match="speed = 3 must be one, or 2, one for each load"):
         B.assess([(found, 0.5), (found, 0.5)], speed=[1.0, 2.0, 3.0], viscosity=20.0)

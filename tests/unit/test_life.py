@@ -169,8 +169,8 @@ def test_above_all_stress_a_limit_leaves_no_damage_and_above_the_ideal_no_refere
 @pytest.mark.slow
 def test_at_a_sharp_end_it_is_said_what_is_not_counted():
     (coarse,) = assess(solved(profile=nh.profile.straight(), strips=21), "zaretsky")
-    assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in coarse.warnings[-2]
-    assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than what was left out")
+    assert f"nearer to them than {LEFT_OUT:g} of the largest half-width was left out" in coarse.warnings[-2]
+    assert coarse.warnings[-1].startswith("The strips or cells at a sharp end are longer than the region left out")
 
 
 def test_nothing_else_is_left_out():
@@ -201,7 +201,9 @@ def test_towards_a_sharp_end_the_volume_left_out_is_the_same_on_all_grids(sharp)
     edges = np.unique(np.concatenate([sharp.edges, 0.5 * (sharp.edges[1:] + sharp.edges[:-1])]))
     (finer,) = assess(nh.solve(sharp.contact, load=sharp.load, strips=edges), "zaretsky")
     assert finer.relative_life == pytest.approx(automatic.relative_life, rel=0.05)
-    assert f"nearer to them than {LEFT_OUT:g} of the largest half-width nothing was counted" in automatic.warnings[-1]
+    assert (
+        f"the volume nearer to them than {LEFT_OUT:g} of the largest half-width was left out" in automatic.warnings[-1]
+    )
 
 
 @pytest.mark.campaign
@@ -332,10 +334,10 @@ def test_life_in_revolutions_is_the_capacity_over_the_load(lives, logarithmic):
 def test_the_roller_has_no_capacity_and_other_materials_and_slopes_have_none(logarithmic):
     whys = {
         "the capacity is that of the ring, body b": assess(logarithmic, "iso-16281", rollers=12),
-        "the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents": assess(
+        "the capacity of ISO 281 holds for the slope 9/8 and the usual exponents": assess(
             logarithmic, lundberg_palmgren(slope=1.5), rollers=12, body="b"
         ),
-        "the capacity of ISO 281 is that of bearing steel": assess(
+        "the capacity of ISO 281 holds only for bearing steel": assess(
             solved(ring=nh.Ring(diameter=60, material=nh.MATERIALS["bronze"]), strips=9), "iso-16281", rollers=12
         ),
         "neither of the bodies is a ring; give one of them kind = 'ring'": assess(

@@ -187,7 +187,7 @@ def test_contacts_with_singular_ends_are_told_once_and_apart_from_what_strains_t
     said = [str(each.message) for each in caught]
     assert len(said) == 2
     assert "1 of 4 cases strain the model; number (1, 1), the first: " in said[0]
-    assert said[1].startswith("4 of 4 contacts end where the pressure has no limit; number (0, 0), the first: ")
+    assert said[1].startswith("4 of 4 contacts have an end with singular pressure; number (0, 0), the first: ")
     assert many.singular.tolist() == [[True, True], [True, True]]
     assert set(many.warnings) == {(0, 0), (0, 1), (1, 0), (1, 1)}
     assert not nh.solve_many(CROWNED, load=[2e3, 3e3], strips=21).singular.any()

@@ -71,7 +71,7 @@ TAMPERED = {
     "The load came to 3003 N instead of 3000 N": lambda s: {"load": 1.001 * s.load},
     "The moment came to 2002 N mm instead of 2000 N mm": lambda s: {"moment": 1.001 * s.moment},
     "The moment came to 1750 N mm instead of 2000": lambda s: {"pressure": s.pressure[:, ::-1].copy()},
-    "Cells that bear a pressure are apart or overlap by 1e-09 mm": lambda s: {"gap": one_cell(s.gap, peak(s), 1e-9)},
+    "Cells under pressure are apart or overlap by 1e-09 mm": lambda s: {"gap": one_cell(s.gap, peak(s), 1e-9)},
     "Cells without pressure overlap by 1e-09 mm": lambda s: {"gap": one_cell(s.gap, (0, 0), -1e-9)},
     "The gap is not that of the bodies": lambda s: {"approach": 1.001 * s.approach},
     "The gap is not that of the bodies under these": lambda s: {"pressure": s.pressure[::-1].copy() + skewed(s)},

@@ -65,7 +65,7 @@ def test_points_without_material_are_refused_or_nan(thin):
     np.testing.assert_array_equal(np.isfinite(field.stress).all(axis=1), held)
     np.testing.assert_array_equal(np.isfinite(field.principal).all(axis=1), held)
     assert field.warnings == (
-        "At 4 of 7 points body a has no material, in its bore or beyond its surface: NaN is given there.",
+        "4 of 7 points lie outside the material of body a, in its bore or beyond its surface: they are NaN.",
     )
     assert np.isnan(passage(thin, 1.0, [1.0, 3.0]).von_mises).tolist() == [False, True]
     for body, words in (("a", "whose wall is 2 mm thick"), ("b", "which is 2 mm thick")):
@@ -284,8 +284,8 @@ def test_towards_a_corner_where_the_contact_ends_nothing_is_searched_and_that_is
     found = extremes(chamfered)
     assert abs(found.von_mises.y) < 9.0 - 0.9 * chamfered.half_width.max()
     assert found.warnings == (
-        "The stress grows without limit towards the corners of the profile at y = -9 and 9 mm: within a half-width of "
-        "them nothing was searched.",
+        "The stress grows without limit towards the corners of the profile at y = -9 and 9 mm: the region "
+        "within a half-width of them was not searched.",
     )
 
 

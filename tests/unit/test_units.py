@@ -99,7 +99,7 @@ def test_of_a_dynamic_viscosity_the_density_is_asked_for(text):
     # 1 mPa s over 1 g/cm^3 is 1 mm^2/s.
     with pytest.raises(InputError) as caught:
         to_unit("viscosity", text, "mm^2/s")
-    said = "divide by the oil's density, of which 0.87 g/cm^3 makes '22.99 mm^2/s'"
+    said = "divide by the oil's density: 0.87 g/cm^3 would give '22.99 mm^2/s'"
     assert str(caught.value) == f"viscosity = '{text}' must be a kinematic viscosity: {said}."
     assert to_unit("viscosity", "22.99 mm^2/s", "mm^2/s") == pytest.approx(20.0 / 0.87, rel=1e-4)
 

@@ -1,5 +1,5 @@
-"""What lies behind the surface of a body: its side faces and its depth, and their effect on how loads act.
+"""Effect of a body's side faces and depth on the influence of loads on its surface.
 
-What a body may say of either is in `nonhertz.model`. `images` makes chains of mirror images, `ends` finds what governs
-a sharp end, `depths` what displacement is measured against, `influence` sums up both bodies.
+The options of a body are in `nonhertz.model`. `images` makes chains of mirror images, `ends` computes the number that
+governs a sharp end, `depths` the displacement of the reference points, and `influence` combines both bodies.
 """

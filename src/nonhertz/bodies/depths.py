@@ -1,8 +1,8 @@
-"""What the displacement of a body is measured against, and how it moves under the loads on its surface.
+"""Reference points of a body's displacement, and how they move under the loads on its surface.
 
-The displacement of the surface of a half-space under a line load is measured against a point at depth, which moves
-too: a load displaces a point at depth d below the centre line by a function of its distance along y over d alone. A
-body that deforms as a whole is measured against its axis.
+The displacement of the surface of a half-space under a line load is measured against a point at depth, which also
+moves: a load displaces a point at depth d below the centre line by a function of its distance along y over d only. The
+displacement of a body that deforms as a whole is measured against its axis.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ InCore = core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller | core.Oth
 
 
 class Reference(Protocol):
-    """What the displacement of one body is measured against, in contact with another.
+    """Reference of the displacement of one body in contact with another.
 
-    One that has a ``core``, as those below, is worked out in C++; any other is called in Python.
+    A reference with a ``core``, like those below, is computed in C++; any other is called in Python.
     """
 
     @property
@@ -46,7 +46,7 @@ class Reference(Protocol):
 
 
 class _WorkedOutInCore:
-    """A reference that C++ works out."""
+    """A reference computed in C++."""
 
     @property
     def core(self) -> core.PointsAtDepth | core.AxisOfCylinder | core.AxisOfRoller:
@@ -60,12 +60,12 @@ class _WorkedOutInCore:
 
 @dataclass(frozen=True)
 class EvenDepth:
-    """One depth [mm] along the whole body."""
+    """A depth [mm] that is constant along the body."""
 
     depth: float
 
     def __call__(self, y: Array) -> Array:
-        """Return it at places."""
+        """Return the depth [mm] at positions."""
         return np.full(y.shape, self.depth)
 
     @property
@@ -76,13 +76,13 @@ class EvenDepth:
 
 @dataclass(frozen=True)
 class DepthInDiameters:
-    """A depth that is of the body's diameter at each place; refuses a body that is not convex there."""
+    """A depth proportional to the body's diameter at each position; refuses a body that is not convex there."""
 
     body: Body
     diameters: float
 
     def __call__(self, y: Array) -> Array:
-        """Return it at places [mm]."""
+        """Return the depth [mm] at positions [mm]."""
         curvature = self.body.curvature(y)
         if np.any(curvature <= 0.0):
             remedy = "give the thickness of the body in mm, or write 'none'"
@@ -106,7 +106,7 @@ Depth = EvenDepth | DepthInDiameters
 def depth_below(body: Body, shape: Shape) -> Depth | None:
     """Return y [mm] -> depth of the reference below the surface [mm]; None if it is far away.
 
-    The returned function raises InputError where a body whose depth is of its diameter is not convex.
+    The returned function raises InputError where a body with a depth in diameters is not convex.
     """
     behind = body.behind
     if behind.whole:  # the diameter or the wall
@@ -119,11 +119,11 @@ def depth_below(body: Body, shape: Shape) -> Depth | None:
 
 
 def plane_strain_depth(shape: Shape, poisson: float) -> float:
-    """Return depth / diameter at which a long cylinder's compression is that of plane strain.
+    """Return the depth / diameter at which a long cylinder has the compression of plane strain.
 
     In plane strain the displacement of a strip of infinite length relative to depth d is 2 K q (ln(d / a) + C - 1 /
     (2 (1 - nu))), C being the element's constant; a long cylinder is compressed by K q (2 ln(2 D / b) - 1). The two
-    agree at d = 2 D (a / b) exp(1 / (2 (1 - nu)) - C - 1/2), in which the load cancels.
+    agree at d = 2 D (a / b) exp(1 / (2 (1 - nu)) - C - 1/2), which does not depend on the load.
 
     Examples
     --------
@@ -137,7 +137,7 @@ def plane_strain_depth(shape: Shape, poisson: float) -> float:
 
 @dataclass(frozen=True)
 class PointsAtDepth(_WorkedOutInCore):
-    """How loads on the surface of one body move points below its centre line.
+    """Displacement of points below the centre line of a body under loads on its surface.
 
     Attributes
     ----------
@@ -149,12 +149,12 @@ class PointsAtDepth(_WorkedOutInCore):
         Rows (sign, offset, weight) as for the surface, for this body alone; weights include its share of the
         compliance.
     far : FarImages or None
-        Far images of a series, which act as line loads.
+        Distant images of a series, which act as line loads.
     faces : ndarray, shape (faces, 3)
-        Rows (place, side, weight) of the side faces that are free of normal stress, too.
+        Rows (place, side, weight) of the side faces that are also free of normal stress.
     over_image : ndarray
-        What such a face adds far away over what the image does; see `nonhertz.bodies.quarter_space`. A point at depth
-        is moved by as many times its image.
+        Far-field correction of such a face over the effect of the image; see `nonhertz.bodies.quarter_space`. The
+        correction moves a point at depth by this ratio times the effect of the image.
     """
 
     below: Depth
@@ -166,7 +166,7 @@ class PointsAtDepth(_WorkedOutInCore):
 
     @classmethod
     def of(cls, body: Body, shape: Shape, images: Images) -> PointsAtDepth | None:
-        """Return how those of a body with these mirror images move; None if they are far away."""
+        """Return the points of a body with these mirror images; None if they are far away."""
         below = depth_below(body, shape)
         if below is None:
             return None
@@ -187,11 +187,11 @@ class PointsAtDepth(_WorkedOutInCore):
 
 @dataclass(frozen=True)
 class AxisOfCylinder(_WorkedOutInCore):
-    """What the displacement of a solid cylinder of infinite length is less than that of a flat body.
+    """Displacement of a flat body minus that of a solid cylinder of infinite length.
 
-    A uniform load compresses it as in plane strain, and by what the cylinder is free to grow longer. Side faces can be
-    mirrored: that is the model of Chiu and Hartnett with mirrored ends. Of a body with free faces it is 22 % off the
-    compression, because what these add far away knows no girth: a whole roller is for those.
+    A uniform load compresses the cylinder as in plane strain, and further because it is free to extend. Side faces can
+    be mirrored: that is the model of Chiu and Hartnett with mirrored ends. For a body with free faces the compression
+    would be off by 22 %, because their far field does not include the cylinder's curvature: use a whole roller.
 
     Attributes
     ----------
@@ -201,7 +201,7 @@ class AxisOfCylinder(_WorkedOutInCore):
         Poisson's ratio.
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) as for the surface, for this body alone; weights include its share of the
-        compliance. Images of a series that are further away move nothing.
+        compliance. More distant images of a series have no effect.
     """
 
     below: Depth
@@ -210,7 +210,7 @@ class AxisOfCylinder(_WorkedOutInCore):
 
     @classmethod
     def of(cls, body: Body, shape: Shape, images: Images) -> AxisOfCylinder:
-        """Return that of a body with these mirror images."""
+        """Return the reference of a body with these mirror images."""
         return cls(DepthInDiameters(body, 1.0), body.material.poisson, images.with_direct())
 
     @property
@@ -221,28 +221,28 @@ class AxisOfCylinder(_WorkedOutInCore):
 
 @dataclass(frozen=True)
 class AxisOfRoller(_WorkedOutInCore):
-    """What the displacement of a whole roller is less than that of a flat body with free ends.
+    """Displacement of a flat body with free ends minus that of a whole roller.
 
-    The roller is solid or has a bore, and its diameter may vary along the axis, as that of a tapered roller does.
-    Against spectral finite elements of a roller as long as its diameter: 0.03 % of the compression under a uniform
-    load, 0.01 % of the compliance against tilting, and 0.4 % of the peak under a load half as long as the contact
-    is wide, since what the width changes all counts on its strip. Profile and rounded corners are neglected, and
-    the load on the opposite side is taken to be the same. Where the diameter varies, y runs along the surface,
-    diameters are those in the plane normal to it, and the load is normal to it; side faces are square to the axis.
-    Up to a half-angle of 15 degrees the displacement under a strip at an end is within 1 % of finite elements. The
-    sum of the load's axial part is left to a rib or the raceways. The bending of a wall is in its stress, but for
-    bores with steps.
+    The roller is solid or has a bore, and its diameter may vary along the axis, as in a tapered roller. Differences
+    from spectral finite elements for a roller as long as its diameter: 0.03 % of the compression under a uniform load,
+    0.01 % of the tilting compliance, and 0.4 % of the peak under a load half as long as the contact is wide, since the
+    effect of the width is assigned to its own strip. Profile and rounded corners are neglected, and the load on the
+    opposite side is taken to be the same. Where the diameter varies, y runs along the surface, diameters are those in
+    the plane normal to it, and the load is normal to it; side faces are square to the axis. Up to a half-angle of 15
+    degrees the displacement under a strip at an end is within 1 % of finite elements. The resultant of the load's axial
+    component is taken up by a rib or the raceways. The bending of a wall is included in its stress, except for bores
+    with steps.
 
     Attributes
     ----------
     below : Depth
-        y [mm] -> the diameter, or the wall [mm].
+        y [mm] -> the diameter, or the wall thickness [mm].
     whole : WholeRoller
         The difference, for a radius of 1.
     radius, middle : float
         Radius, and axial position of the middle [mm].
     share : float
-        Share of the body in the compliance of the contact.
+        The body's share of the compliance of the contact.
     """
 
     below: Depth
@@ -253,14 +253,14 @@ class AxisOfRoller(_WorkedOutInCore):
 
     @classmethod
     def of(cls, body: Body, shape: Shape, images: Images) -> AxisOfRoller:
-        """Return that of a body with these mirror images."""
+        """Return the reference of a body with these mirror images."""
         outline, radius = body.outline
         below, whole = depth_below(body, shape), whole_roller(outline, body.material.poisson)
         assert below is not None
         return cls(below, whole, radius, body.position, images.share)
 
     def by_width(self, y: Array, ratio: float) -> Array:
-        """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
+        """Return the effect of half-widths, ``ratio`` times Hertz's, on strips at ``y``; see `WholeRoller.by_width`."""
         return self.core.by_width(y, ratio)
 
     @property
@@ -271,7 +271,7 @@ class AxisOfRoller(_WorkedOutInCore):
 
 
 def in_core(reference: Reference) -> InCore:
-    """Return a reference in C++, or what calls it."""
+    """Return a reference in C++, or a function that calls it."""
     converted: InCore | None = getattr(reference, "core", None)
     if converted is not None:
         return converted
@@ -283,11 +283,11 @@ def in_core(reference: Reference) -> InCore:
 
 
 def terms_of(rows: Array) -> list[core.Term]:
-    """Return rows (sign, offset, weight) in C++."""
+    """Return rows (sign, offset, weight) as objects of the core."""
     return [core.Term(*row) for row in rows.tolist()]
 
 
-#: What brings a matrix of its own in place of that of points at depth, by the word of the depth.
+#: References with a matrix of their own instead of that of points at depth, by the word of the depth.
 REFERENCES: Final[dict[str, Callable[[Body, Shape, Images], Reference]]] = {
     "cylinder": AxisOfCylinder.of,
     "finite": AxisOfRoller.of,
@@ -295,5 +295,5 @@ REFERENCES: Final[dict[str, Callable[[Body, Shape, Images], Reference]]] = {
 
 
 def reference_of(body: Body, shape: Shape, images: Images) -> Reference | None:
-    """Return what the displacement of a body with these mirror images is measured against; None if far away."""
+    """Return the reference of a body with these mirror images; None if it is far away."""
     return REFERENCES.get(body.behind.word, PointsAtDepth.of)(body, shape, images)

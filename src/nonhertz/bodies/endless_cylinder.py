@@ -1,11 +1,12 @@
-"""A solid cylinder of infinite length, pressed alike on two opposite sides along its whole length.
+"""A solid cylinder of infinite length under the same line load on two opposite sides.
 
-In place of its half-space it is the flat body, whose surface a load P moves by K P / s at a distance s along the axis,
-plus K P g(s / R) / R. g is the transform of D(k), the difference between the modes cos(n theta) cos(k y) of a cylinder,
-n = 0, 2, 4 ..., and those of a half-space. Its modes follow from the potentials of Papkovich and Neuber, with modified
-Bessel functions I_n(k r). Displacement is measured against the axis, and the cylinder is free to grow longer.
+Its displacement is that of a flat body, K P / s at a distance s along the axis from a load P, plus K P g(s / R) / R.
+g is the transform of D(k), the difference between the modes cos(n theta) cos(k y) of a cylinder, n = 0, 2, 4 ..., and
+those of a half-space. Its modes follow from the potentials of Papkovich and Neuber, with modified Bessel functions
+I_n(k r). Displacement is measured against the axis, and the cylinder is free to extend.
 
-What is kept is H(s), the integral of g(s) + 1 / sqrt(1 + s^2) from 0 to s, s in radii. Far away 1 / s + g vanishes.
+The stored function is H(s), the integral of g(s) + 1 / sqrt(1 + s^2) from 0 to s, s in radii. Far away 1 / s + g
+vanishes.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ def smooth_part(poisson: float) -> core.Cubics:
 
 
 def _places() -> Array:
-    # Denser towards 0, where H is as s ln s.
+    # Denser towards 0, where H behaves as s ln s.
     return FARTHEST * np.linspace(0.0, 1.0, _PLACES) ** 3
 
 
@@ -68,7 +69,7 @@ def _table(poisson: float) -> Array:
 
 
 def _transform(k: Array, poisson: float) -> Array:
-    """Return D(k) + K0(k) / pi, whose transform is g(s) + 1 / sqrt(1 + s^2); smooth, so by polynomials in bands."""
+    """Return D(k) + K0(k) / pi, whose transform is g(s) + 1 / sqrt(1 + s^2); smooth: polynomials in bands of k."""
     transform = np.empty_like(k)
     # Imported here, because most contacts need none of this.
     from scipy import special
@@ -84,12 +85,12 @@ def _transform(k: Array, poisson: float) -> Array:
 
 
 def difference_spectrum(k: Array, poisson: float) -> Array:
-    """Return D(k): the sum over modes of a cylinder less that of a half-space."""
+    """Return D(k): the sum over modes of a cylinder minus that of a half-space."""
     c = modes(k, _MODES, poisson)
     n = np.arange(2, _MODES + 1, 2)[:, None]
     terms = 2.0 * c[1:] - (np.arcsinh((n + 1) / k) - np.arcsinh((n - 1) / k))
     sums = c[0] - np.arcsinh(1.0 / k) + np.cumsum(terms, axis=0)
-    # What is left after n falls as a series in 1 / (n + 1): extrapolated from three sums.
+    # The remainder after n is a series in 1 / (n + 1): extrapolated from three sums.
     at = np.array([_MODES // 4, _MODES // 2, _MODES]) // 2 - 1
     inverse = 1.0 / (2.0 * at + 3.0)
     weights = np.linalg.solve(np.vander(inverse, increasing=True).T, [1.0, 0.0, 0.0])
@@ -127,7 +128,7 @@ def _ratios(k: Array, most: int) -> dict[int, Array]:
 
 
 def _mode(n: int, k: Array, ratio: Array, poisson: float) -> Array:
-    """Return c_n from potentials B and beta on the surface: three of them, and three stresses, over I_n(k)."""
+    """Return c_n from potentials B and beta on the surface: three unknowns and three stresses, over I_n(k)."""
     one, none = np.ones_like(k), np.zeros_like(k)
     above, below = ratio, ratio + 2.0 * n / k  # I_(n+1) and I_(n-1)
     # Values, first and second derivatives by r.
@@ -137,12 +138,12 @@ def _mode(n: int, k: Array, ratio: Array, poisson: float) -> Array:
     d_below = k + (n - 1) * below
     of_below = (below, d_below, (k * k + (n - 1) ** 2) * below - d_below)
     zero = (none, none, none)
-    # Each by (B_r, B_theta, beta).
+    # Each as coefficients of (B_r, B_theta, beta).
     potentials = [(of_above, of_above, zero), (zero, zero, of_n)]
     if n:
         potentials.insert(1, (of_below, (-of_below[0], -of_below[1], none), zero))
     stresses, motions = zip(*(_on_surface(n, k, potential, poisson) for potential in potentials), strict=True)
-    components = (0, 1, 2) if n else (0, 2)  # around the axis nothing is sheared for n = 0
+    components = (0, 1, 2) if n else (0, 2)  # no shear around the axis for n = 0
     matrix = np.array([[stress[i] for stress in stresses] for i in components]).transpose(2, 0, 1)
     load = np.zeros((k.size, len(components), 1))
     load[:, 0] = -1.0

@@ -1,8 +1,8 @@
 """The free side faces of two bodies in contact, and the number that governs a sharp end.
 
-It is kappa, the sum over the bodies that end there of image weight times share of the compliance. Up to kappa = 1 the
-pressure varies with the distance s from the end as s^-alpha, cos(pi alpha) = kappa; above 1 refinement does not
-converge to any solution, so weights are lowered to kappa = 1.
+The number is kappa, the sum of image weight times share of the compliance over the bodies that end there. Up to kappa
+= 1 the pressure varies with the distance s from the end as s^-alpha, cos(pi alpha) = kappa; above 1 refinement does
+not converge to any solution, so weights are lowered to kappa = 1.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ TOGETHER = 1.0 - 1e-4
 # 10 % in pressure over three decades of distance.
 FINITE_FROM = 0.999
 _HALVINGS = 60
-# Pressures s^-alpha by which the weights of a corner are fitted.
+# Exponents alpha of the pressures s^-alpha to which the weights of a corner are fitted.
 _FITTED = (-0.4, -0.3, -0.2, -0.1, 0.05, 0.1, 0.15, 0.226, 0.3)
-# Measured: plane strain has 70 to 80 % of what finite elements of whole rollers need, for all angles, lengths and
-# Poisson's ratios. It sets how steep the surface is at the corner; how far it moves there is set in three dimensions.
+# Measured: plane strain gives 70 to 80 % of the weight that matches finite elements of whole rollers, for all angles,
+# lengths and Poisson's ratios. It determines the slope at the corner; the displacement there is three-dimensional.
 IN_SPACE = 1.35
 _ANY_POISSON = 0.3
 
 
 @dataclass(frozen=True)
 class End:
-    """A place where one body or both have a free side face, with image weights for which a solution exists.
+    """Position at which one or both bodies have a free side face, with image weights for which a solution exists.
 
     Attributes
     ----------
     y : float
-        Where [mm].
-    side : int
-        -1 at the low, 1 at the high end of the bodies.
+        Position [mm].
+        side : int
+            -1 at the low, 1 at the high end of the bodies.
     weights : tuple of float
         Weights of the images of body a and b about this face, limited so that ``image_weight`` is at most 1.
     requested : float
@@ -46,7 +46,7 @@ class End:
     image_weight : float
         kappa of this face alone with the weights used, in plane strain.
     free : float
-        The part of it that is free of normal stress, too.
+        The part of ``image_weight`` of faces that are also free of normal stress.
     """
 
     y: float
@@ -65,9 +65,9 @@ def edge_exponent(kappa: float, free: float = 0.0) -> float:
     kappa : float
         Sum over the bodies that end there of image weight times share of the compliance.
     free : float
-        The part of it that is free of normal stress, too. There the loads of both faces are those of a wedge: one that
-        varies as s^-alpha brings mu s^-alpha on the other face, so that both together are 1 / (1 - mu^2) times the
-        pressure. Whatever Poisson's ratio is.
+        The part of it of faces that are also free of normal stress. The loads on both faces are then those of a wedge:
+        a pressure s^-alpha causes mu s^-alpha on the other face, so that the sum of all reflections is 1 / (1 - mu^2)
+        times the pressure. It does not depend on Poisson's ratio.
 
     Examples
     --------
@@ -77,13 +77,13 @@ def edge_exponent(kappa: float, free: float = 0.0) -> float:
     0.22599
     """
     mirrored = math.acos(min(kappa, 1.0)) / math.pi
-    # What images leave on the side face presses it outwards: the end is softer, and alpha less.
+    # The normal stress that images leave on the side face presses it outwards: the end is softer, and alpha smaller.
     return _zero_between(0.0, mirrored, kappa, free) if free > 0.0 and kappa < 1.0 else mirrored
 
 
 @lru_cache
 def edge_powers(kappa: float, free: float = 0.0) -> tuple[float, float, float]:
-    """Return the first three powers of the distance from an end whose pressures move its surface by smooth terms only.
+    """Return the first three powers of the distance from an end whose pressures displace its surface smoothly.
 
     The first is -alpha; arguments as for `edge_exponent`.
     """
@@ -94,7 +94,7 @@ def edge_powers(kappa: float, free: float = 0.0) -> tuple[float, float, float]:
 
 
 def _zero_between(positive: float, negative: float, kappa: float, free: float) -> float:
-    """Return the exponent at which the slope of `wedge_slope` is zero, between those where it has these signs."""
+    """Return the exponent at which `wedge_slope` is zero, between one where it is positive and one where negative."""
     for _ in range(_HALVINGS):
         middle = 0.5 * (positive + negative)
         if wedge_slope(middle, kappa, free) > 0.0:
@@ -105,7 +105,7 @@ def _zero_between(positive: float, negative: float, kappa: float, free: float) -
 
 
 def wedge_slope(alpha: float, kappa: float, free: float) -> float:
-    """Return the slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for that of an end."""
+    """Return the slope that a pressure s^-alpha leaves on the surfaces of two wedges; zero for that of an end."""
     cosine = math.cos(math.pi * alpha)
     brought = (1.0 - alpha) / math.cos(0.5 * math.pi * alpha)
     return cosine - kappa - free * (1.0 - cosine) * brought**2 / (1.0 - brought**2)
@@ -113,9 +113,9 @@ def wedge_slope(alpha: float, kappa: float, free: float) -> float:
 
 @lru_cache
 def corner_weights(angle: float) -> tuple[float, float]:
-    """Return by how much image and free face weigh more than 1 at a corner of another angle than 90 degrees.
+    """Return the excess over 1 of the weights of image and free face at a corner that is not a right angle.
 
-    They are fitted to the slopes of the wedge in plane strain, less those at 90 degrees, under powers of the distance.
+    They are fitted to the slopes of the wedge in plane strain, minus those at 90 degrees, under powers of the distance.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def slope_of_wedge(alpha: float, angle: float) -> float:
     """Return the slope over 2 K of one face of a wedge in plane strain under a pressure s^-alpha on it, at s = 1.
 
     Airy's function is s^m times cos and sin of m theta and of (2 - m) theta, m = 2 - alpha (J. R. Barber, Elasticity,
-    chapter 11); no normal and no shear stress on the other face. It is the same whatever Poisson's ratio is.
+    chapter 11); the other face is free of normal and shear stress. It does not depend on Poisson's ratio.
     """
     m, n = 2.0 - alpha, -alpha
 
@@ -174,7 +174,7 @@ def ends(contact: Contact) -> tuple[End, ...]:
         by = 1.0 / max(requested[0], 1.0), 1.0 / max(requested[1], 1.0)
         corner = [corner_weights(body.corner_angles[index]) for body in (contact.a, contact.b)]
         weights = [by[k] * requested_weights[k] * (1.0 + IN_SPACE * corner[k][0]) for k in (0, 1)]
-        # The exponent is that of plane strain.
+        # The exponent is the one in plane strain.
         images = [by[k] * kappa[k] * (1.0 + corner[k][0]) for k in (0, 1)]
         extra = [free[k] * (1.0 + corner[k][1]) for k in (0, 1)]
         if together == 1.0:
@@ -189,9 +189,9 @@ def ends(contact: Contact) -> tuple[End, ...]:
 def _nearness(contact: Contact, faces: tuple[float, float]) -> float:
     """Return 1 for coincident faces, falling to 0 at a distance of APART combined radii.
 
-    Faces much closer to each other than the half-width act as one on all but the last bit of the contact. The
-    measure is continuous, so that the approach does not jump where they meet, and depends on geometry rather than load,
-    so that doubling the load changes nothing but the load.
+    Faces much closer to each other than the half-width act as one on all but a tiny part of the contact. The measure
+    is continuous, so that the approach does not jump where they meet, and depends on geometry, not on the load, so that
+    results scale with the load.
     """
     if not np.all(np.isfinite(faces)):
         return 0.0

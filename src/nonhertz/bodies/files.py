@@ -11,16 +11,16 @@ from pathlib import Path
 
 
 def folder() -> Path | None:
-    """Return the folder: ``NONHERTZ_CACHE_DIR`` if that is set, else that of the user; None where neither is known."""
+    """Return the folder: ``NONHERTZ_CACHE_DIR`` if set, else one in the user's cache; None where neither is known."""
     if chosen := os.environ.get("NONHERTZ_CACHE_DIR"):
         return Path(chosen).absolute()
-    # Where no home is known, the tilde stays; a relative folder would be created wherever the program runs.
+    # Without a home folder the tilde stays; a relative folder would be created wherever the program runs.
     of_user = Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"))  # noqa: PTH111
     return of_user / "nonhertz" if of_user.is_absolute() else None
 
 
 def read(name: str, key: bytes) -> bytes | None:
-    """Return what was written under a name and a key, or None if it is missing or damaged."""
+    """Return the content written under a name and a key, or None if it is missing or damaged."""
     place = folder()
     if place is not None:
         with contextlib.suppress(OSError):
@@ -31,7 +31,7 @@ def read(name: str, key: bytes) -> bytes | None:
 
 
 def write(name: str, key: bytes, content: bytes) -> None:
-    """Write a file; if that cannot be done, log once why."""
+    """Write a file; if that fails, log the reason once."""
     place = folder()
     if place is None:
         _log_once("no home folder is known")
@@ -50,8 +50,8 @@ def write(name: str, key: bytes, content: bytes) -> None:
 
 @functools.cache
 def _log_once(why: str) -> None:
-    """Log a warning, once a process; unless logging is set up, standard error shows it."""
+    """Log a warning once per process; it is shown on standard error unless logging is set up."""
     logging.getLogger("nonhertz").warning(
-        "What was worked out about materials and shapes cannot be kept, so every process works it out again, which "
-        "takes up to some seconds: %s. Set NONHERTZ_CACHE_DIR to a writable folder.", why,
+        "Tables of materials and shapes cannot be cached, so every process computes them again, which takes up to some "
+        "seconds: %s. Set NONHERTZ_CACHE_DIR to a writable folder.", why,
     )  # fmt: skip

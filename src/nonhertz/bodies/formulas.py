@@ -1,7 +1,7 @@
-"""Profiles and diameters as formulas of the core in C++; what it has no formula of, it calls in Python.
+"""Profiles and diameters as formulas of the C++ core; those without a formula there are called in Python.
 
-A profile is read, checked and described by its class alone, whose own formula stays the readable one. A class that is
-not listed here, such as one of the user's, is a function of whole arrays.
+A profile's class alone reads, checks and describes it, and its own formula is the readable one. A class that is not
+listed here, such as one of the user's, is called as a function of whole arrays.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def relief_of_body(body: Body) -> core.Relief:
 
 
 def curvature_of(body: Body) -> Curvature:
-    """Return the curvature across the contact: constant, of a table, or a function."""
+    """Return the curvature across the contact: a constant, a table, or a function."""
     diameter = body.diameter
     if diameter is None:
         return 0.0
@@ -58,7 +58,7 @@ def curvature_of(body: Body) -> Curvature:
 
 
 def apply_to_whole_arrays(function: Callable[[Array], ArrayLike]) -> Function:
-    """Return a function whose answer has the shape of its argument."""
+    """Return a function whose result has the shape of its argument."""
 
     def answer(y: Array) -> Array:
         return np.ascontiguousarray(np.broadcast_to(np.asarray(function(y), dtype=float), y.shape))
@@ -101,7 +101,7 @@ def _corner(of: Corner) -> core.Corner | None:
     return None
 
 
-#: By the very class, since a class derived from one of these may have a relief of its own.
+#: By the exact class, since a derived class may have a relief of its own.
 FORMULAS: Final[Mapping[type[Profile], Callable[[Any], core.Relief | None]]] = MappingProxyType(
     {
         Straight: lambda of: core.Relief.straight(),

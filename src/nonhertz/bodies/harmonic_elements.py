@@ -1,10 +1,10 @@
 """Spectral finite elements for a body of revolution under pressure that varies as cos(n theta).
 
-In the plane of radius r and axial position z, displacement is (u cos, v sin, w cos) of n theta, and the energy that of
-three-dimensional elasticity. Elements are products of polynomials through Gauss-Lobatto nodes, in z and in the share s
-of the wall from the bore or the axis to the surface; they shrink towards the edges between surface and side faces.
-Lengths are in a radius of the surface. Where the outline is symmetric, only half of the length is solved for. The core
-solves; what is laid and read is here.
+In the plane of radius r and axial position z, displacement is (u cos, v sin, w cos) of n theta, and the energy is that
+of three-dimensional elasticity. Elements are products of polynomials through Gauss-Lobatto nodes, in z and in the
+fraction s of the wall from the bore or the axis to the surface; they shrink towards the edges between surface and side
+faces. Lengths are in radii of the surface. Where the outline is symmetric, only half of the length is solved. The core
+solves the equations; the mesh is laid and results are evaluated here.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ Array = NDArray[np.float64]
 DEGREE = 6
 # Sizes of elements [radii] at edges, per unit of distance from them, and at most along the axis and through the wall.
 _FINEST, _GROWTH, _LARGEST_ALONG, _LARGEST_ACROSS = 0.036, 0.96, 0.4, 0.35
-_BY_WAVE = 0.86  # size of the smallest times the most waves around
+_BY_WAVE = 0.86  # size of the smallest element times the largest number of waves around
 _NODES = DEGREE + 1
 _GROWN = 2.6  # size of an element that begins at a corner over that of the one on the other side
-_FINE_BORDERS = 801  # of places between which borders of elements are interpolated
-_FINE = 65  # places from a corner to half-way to the next at which sizes of elements are looked at
-_LOAD_NODES = 16  # of an element's surface, on which loads are polynomials of a high degree
+_FINE_BORDERS = 801  # points between which borders of elements are interpolated
+_FINE = 65  # points from a corner to half-way to the next at which sizes of elements are evaluated
+_LOAD_NODES = 16  # on an element's surface, where loads are polynomials of a high degree
 
 
 @dataclass(frozen=True)
 class HarmonicElements:
-    """A body of revolution with side faces, and a bore if it has one, free of stress.
+    """A body of revolution whose side faces, and bore if it has one, are free of stress.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ class HarmonicElements:
         ----------
         loads : callable
             z [radii], shape (m,) -> force of each load on an arc of 1 rad per length of the surface, shape (m, loads);
-            even and odd functions in turn where the outline is symmetric, of which only z > 0 is looked at.
+            even and odd functions in turn where the outline is symmetric, evaluated for z > 0 only.
 
         Returns
         -------
@@ -85,16 +85,16 @@ class HarmonicElements:
         return forces
 
     def work(self, modes: Sequence[int], forces: Array, readings: Array | None = None) -> Array:
-        """Return the work over K = (1 - nu^2) / (pi E) of forces in the displacement by others.
+        """Return the work over K = (1 - nu^2) / (pi E) of forces on the displacement by other forces.
 
         Parameters
         ----------
         modes : sequence of int
-            Numbers of waves around, without 1. Under equal forces all around (0) their axial part counts as borne by a
-            rib.
+            Numbers of waves around, without 1. Under axisymmetric forces (0) a rib is assumed to take up their axial
+            component.
         forces, readings : ndarray, shape (loads, 2, columns)
-            Nodal forces, as `forces` returns them: those that displace, and those whose work is asked for, which are
-            the same if left out.
+            Nodal forces, as `forces` returns them: those that cause the displacement, and those whose work is returned,
+            by default the same.
 
         Returns
         -------
@@ -125,9 +125,9 @@ class HarmonicElements:
         displaced : ndarray, shape (loads, 3, rows, columns)
             Nodal displacements over K.
         shares : ndarray, shape (s,)
-            Where, from 0 at the bore or the axis to 1 at the surface.
+            Positions through the wall, from 0 at the bore or the axis to 1 at the surface.
         places : ndarray, shape (m,)
-            Where, from the middle [radii]; not negative where the outline is symmetric.
+            Axial positions from the middle [radii]; not negative where the outline is symmetric.
 
         Returns
         -------
@@ -164,7 +164,7 @@ class HarmonicElements:
 
     @cached_property
     def wall_borders(self) -> Array:
-        """Borders of elements from the bore or the axis to the surface, as shares of the wall."""
+        """Borders of elements from the bore or the axis to the surface, as fractions of the wall."""
         wall = self.outline.wall
         return borders_towards_end(wall, self._finest, _GROWTH, _LARGEST_ACROSS) / wall
 
@@ -196,7 +196,7 @@ class HarmonicElements:
 
 @cache
 def _from_nodes() -> tuple[Array, Array]:
-    """Return what makes Legendre coefficients of values at the Gauss-Lobatto nodes, and those of their slopes."""
+    """Return the matrices from values at the Gauss-Lobatto nodes to Legendre coefficients, and to those of slopes."""
     inner = legendre.legroots(legendre.legder(np.eye(_NODES)[DEGREE]))
     nodes = np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
     coefficients = np.linalg.inv(legendre.legvander(nodes, DEGREE))
@@ -204,13 +204,13 @@ def _from_nodes() -> tuple[Array, Array]:
 
 
 def nodal_polynomials(places: Array) -> tuple[Array, Array]:
-    """Return values and slopes of the polynomials through the nodes at places from -1 to 1, shape (places, nodes)."""
+    """Return values and slopes of the nodal polynomials at places from -1 to 1, shape (places, nodes)."""
     values, slopes = _from_nodes()
     return legendre.legvander(places, DEGREE) @ values, legendre.legvander(places, DEGREE - 1) @ slopes
 
 
 def _interpolation_matrices(borders: Array, places: Array) -> tuple[Array, Array]:
-    """Return what makes values and slopes at places of nodal values, shape (places, nodes)."""
+    """Return the matrices from nodal values to values and slopes at places, shape (places, nodes)."""
     e = np.clip(np.searchsorted(borders, places) - 1, 0, borders.size - 2)
     half = 0.5 * np.diff(borders)[e]
     values, slopes = nodal_polynomials((places - borders[e]) / half - 1.0)
@@ -221,10 +221,10 @@ def _interpolation_matrices(borders: Array, places: Array) -> tuple[Array, Array
 
 
 def borders_towards_end(length: float, finest: float, growth: float, largest: float) -> Array:
-    """Return borders of elements from 0 to a length, which shrink towards its end.
+    """Return borders of elements from 0 to a length; the elements shrink towards its end.
 
-    An element at a distance d from the end is ``finest + growth * d`` long, ``largest`` at most. The borders divide the
-    integral of the density of elements evenly, so that a small change of the length moves all of them a little.
+    An element at a distance d from the end is ``finest + growth * d`` long, at most ``largest``. The borders divide the
+    integral of the density of elements evenly, so that a small change of the length moves all of them slightly.
     """
     distance = length * np.linspace(0.0, 1.0, _FINE_BORDERS) ** 2
     density = 1.0 / np.minimum(finest + growth * distance, largest)
@@ -236,10 +236,10 @@ def borders_towards_end(length: float, finest: float, growth: float, largest: fl
 
 
 def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Array:
-    """Return borders of elements with some places among them, next to which elements are no larger than between them.
+    """Return borders of elements that include the kinks, next to which elements are no larger than between them.
 
-    Elements grow away from a place in proportion to their distance: beside the short wall of a step they are as short
-    as this wall.
+    Elements grow in proportion to their distance from a kink: beside the short wall of a step they are as short as this
+    wall.
     """
     if not kinks:
         return borders
@@ -248,7 +248,7 @@ def with_kinks(borders: Array, kinks: tuple[float, ...], smallest: float) -> Arr
     finest = np.minimum(np.minimum(gaps[:-1], gaps[1:]), smallest)
     pieces = [places[:1]]
     for low, high in itertools.pairwise(places.tolist()):
-        # Distances down to where elements no longer shrink.
+        # Distances down to that at which elements no longer shrink.
         near = np.geomspace(min(0.1 * np.min(finest) / (high - low), 0.1), 0.5, _FINE)
         fine = low + (high - low) * np.concatenate([[0.0], near, 1.0 - near[-2::-1], [1.0]])
         fine[-1] = high

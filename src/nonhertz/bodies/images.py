@@ -1,9 +1,9 @@
 """Mirror images of the pressure about the side faces of one body.
 
-A side face at y = f is freed of shear by the image of every strip about it, only for the body that ends there and with
-its share of the compliance. With two faces the images have images: a chain begins at each face, and its links
-alternate between the two. The first image about a face may weigh more than 1, to compensate for the normal stress that
-mirroring leaves on the face; further images only cancel the shear of earlier ones, for which 1 is right.
+The image of every strip about a side face at y = f frees that face of shear; it acts only in the body that ends there
+and has that body's share of the compliance. With two faces the images have images: a chain begins at each face, and
+its links alternate between the two. The first image about a face may have a weight above 1, to compensate for the
+normal stress that mirroring leaves on the face; further images only cancel the shear of earlier ones, with weight 1.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
-SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: those with their own place, and those summed one by one
+SEPARATE_LINKS, ALL_LINKS = 16, 1000  # of a series: those with their own position, and those summed one by one
 NO_WEIGHT = 1e-12
 DIRECT = (1.0, 0.0)
 
@@ -36,9 +36,9 @@ class Images:
     share : float
         The body's share of the total compliance.
     far : FarImages or None
-        Those of a series that are so far away that they act as line loads.
+        Images of a series distant enough to act as line loads.
     free : ndarray, shape (faces, 3)
-        Rows (place, side, share) of the side faces that are free of normal stress, too.
+        Rows (place, side, share) of the side faces that are also free of normal stress.
     """
 
     places: dict[tuple[float, float], float]
@@ -48,7 +48,7 @@ class Images:
 
     @classmethod
     def of(cls, body: Body, weights: tuple[float, float], share: float) -> Images:
-        """Return the images about the faces at low and high y of a body, given the weight of the first about each."""
+        """Return the images about the faces of a body at low and high y, with the weight of the first about each."""
         both = min(weights) > 0.0  # a single mirror makes a single image
         far = FarImages.of(body.length, weights, share) if body.images == SERIES and both and body.length else None
         sides = zip(body.faces, (-1, 1), body.free_faces, strict=True)
@@ -66,7 +66,7 @@ def rows(terms: dict[tuple[float, float], float]) -> Array:
 
 
 def chains(body: Body, weights: tuple[float, float], share: float) -> dict[tuple[float, float], float]:
-    """Return the weights of all images, by the sign and the offset [mm] of their place: sign * y + offset."""
+    """Return the weights of all images, by the sign and the offset [mm] of their position, sign * y + offset."""
     count = SEPARATE_LINKS if body.images == SERIES else 2 * int(body.images) - 1
     images: dict[tuple[float, float], float] = {}
     for first in (0, 1):
@@ -77,14 +77,14 @@ def chains(body: Body, weights: tuple[float, float], share: float) -> dict[tuple
             if weight < NO_WEIGHT * share:
                 break
             sign, offset = -sign, 2.0 * body.faces[at] - offset
-            # The two chains share no place, but rounding may give two images the same key.
+            # The two chains have no position in common, but rounding may give two images the same key.
             images[sign, offset] = images.get((sign, offset), 0.0) + weight
     return images
 
 
 @dataclass(frozen=True)
 class FarImages:
-    """Images of a series as line loads at multiples of the body's length; those beyond the last as an integral.
+    """Images of a series as line loads at multiples of the body's length; those beyond the last are an integral.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ class FarImages:
 
     @classmethod
     def of(cls, length: float, weights: tuple[float, float], share: float) -> FarImages:
-        """Return those beyond the `SEPARATE_LINKS` of a chain."""
+        """Return the images beyond the `SEPARATE_LINKS` of a chain."""
         link = np.arange(SEPARATE_LINKS, ALL_LINKS, dtype=np.float64)
         weight: Array = np.zeros(link.size)
         for first, other in (weights, weights[::-1]):

@@ -1,9 +1,9 @@
-"""How loads on the surfaces of two bodies act: direct effect, mirror images, and what displacement is measured against.
+"""Influence of loads on the surfaces of two bodies: direct effect, mirror images, and reference points.
 
-Everything that acts is a *term*: a row (sign, offset, weight) that maps y to ``sign * y + offset`` and counts
-``weight`` times. The direct effect is the term (1, 0, 1); a mirror image about a face at f is (-1, 2 f, weight).
-Displacements are measured against *references*, such as points at depth, which move too: a matrix for each grid gives
-by how much.
+Each contribution is a *term*: a row (sign, offset, weight) that maps y to ``sign * y + offset`` and is multiplied by
+``weight``. The direct effect is the term (1, 0, 1); a mirror image about a face at f is (-1, 2 f, weight).
+Displacements are measured against *references*, such as points at depth, which also move: a matrix for each grid gives
+their displacement.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ HALF_SPACE = np.array([[*DIRECT, 1.0]])
 
 @dataclass(frozen=True)
 class FreeSide:
-    """A side face that is free of normal stress, too.
+    """A side face that is also free of normal stress.
 
     Attributes
     ----------
     y : float
-        Where [mm].
-    side : int
-        -1 at the low, 1 at the high end of its body.
+        Position [mm].
+        side : int
+            -1 at the low, 1 at the high end of its body.
     share : float
-        Share of its body in the compliance of the contact, times its weight where the corner is no right angle.
+        Share of its body in the compliance of the contact, times its weight where the corner is not a right angle.
     poisson : float
         Poisson's ratio of its body.
     """
@@ -49,7 +49,7 @@ class FreeSide:
 
 @dataclass(frozen=True)
 class Influence:
-    """How strips act on the centre line: on both surfaces, and on what their displacement is measured against.
+    """Effect of strips on the centre line: on both surfaces, and on the references of their displacement.
 
     Attributes
     ----------
@@ -60,8 +60,8 @@ class Influence:
     ends : tuple of End
         The free side faces that the images in ``terms`` are about.
     faces : tuple of FreeSide
-        Those of them on which images leave no normal stress. What the images about one face leave on another is not
-        taken away.
+        Those of them that are also free of normal stress. The stress that images about one face leave on another is not
+        removed.
     """
 
     terms: Array
@@ -77,13 +77,13 @@ class Influence:
         return sum(others, first)
 
     def by_width(self, y: Array, ratio: float) -> Array:
-        """Return what half-widths, times ``ratio`` Hertz's, change on strips at ``y``; see `WholeRoller.by_width`."""
+        """Return the effect of half-widths, ``ratio`` times Hertz's, on strips at ``y``; see `WholeRoller.by_width`."""
         rollers = (reference for reference in self.references if isinstance(reference, AxisOfRoller))
         return sum((reference.by_width(y, ratio) for reference in rollers), np.zeros((4, y.size)))
 
 
 def influence_of(contact: Contact, shape: Shape) -> Influence:
-    """Return how strips between two bodies act, with their side faces and depths."""
+    """Return the influence of strips between two bodies, with their side faces and depths."""
     ends_of_contact = ends(contact)
     terms, references, faces = {DIRECT: 1.0}, [], []
     for which in (0, 1):
@@ -97,9 +97,9 @@ def influence_of(contact: Contact, shape: Shape) -> Influence:
 
 
 def influence_within(contact: Contact, shape: Shape, which: int) -> Influence:
-    """Return how strips act on the surface of body a (0) or b (1) alone, with the weights of the contact's solution.
+    """Return the influence of strips on body a (0) or b (1) alone, with the weights of the contact's solution.
 
-    Shares are those in the compliance of the contact, that of the load itself included.
+    Weights, also of the direct effect, include the body's share of the compliance of the contact.
     """
     ends_of_contact = ends(contact)
     images, reference, free = _of_body(contact, shape, ends_of_contact, which)

@@ -1,18 +1,18 @@
-"""What a free side face adds to a load and its mirror image: the elastic quarter-space.
+"""Correction of a load and its mirror image for a free side face: the elastic quarter-space.
 
-A body that ends at a side face is a quarter-space near there. Hetenyi's solution lays two half-spaces over each other,
-one under the top and one under the side face. A load on either brings normal stress on the plane of the other, which
-a load there takes away, which brings stress on the first, and so on; shear is taken away by mirroring all loads. The
-sum of this series is found at once, as the solution of an integral equation, for loads that vary as cos(k x) along the
-edge. What it adds to the displacement of a load and its image has no singularity but at the edge itself.
+A body that ends at a side face is a quarter-space near there. Hetenyi's solution superposes two half-spaces, one under
+the top and one under the side face. A load on either causes normal stress on the plane of the other; a load there
+removes it and causes stress on the first plane, and so on; mirroring all loads removes shear. The sum of this series
+is the solution of one integral equation, for loads that vary as cos(k x) along the edge. The correction to the
+displacement of a load and its image is singular only at the edge itself.
 
-With distances from the edge u (of the place) and v (of the load) multiplied by k, a load of 1 per unit of length on one
-face brings on the plane of the other
+With distances from the edge u (of the point) and v (of the load) multiplied by k, a load of 1 per unit of length on one
+face causes on the plane of the other
 
     a(z, v) = (2/pi) [2 z K1(R) / R - z^3 K2(R) / R^2 + z K0(R) - (1 - 2 nu) S],     R^2 = z^2 + v^2,
 
-with Bessel functions K0, K1, K2 and S the integral of K0 over z from there on. As an operator, f -> A f, it is the same
-for both faces. The loads beyond the given one are T = A (1 - A A)^-1 A, and
+with Bessel functions K0, K1, K2 and S the integral of K0 over z from there to infinity. As an operator, f -> A f, it is
+the same for both faces. The additional loads are T = A (1 - A A)^-1 A, and
 
     e(u, v) = 2 integral of [K0(|u - t|) + K0(u + t)] T(t, v) dt
 
@@ -39,14 +39,14 @@ from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
-#: ``-d e / d ln(u + v)`` towards the edge, where the quarter-space is a wedge: by Flamant's solution, whatever nu.
+#: ``-d e / d ln(u + v)`` towards the edge, where the quarter-space is a wedge: by Flamant's solution, for any nu.
 EDGE_SLOPE = 16.0 / (math.pi**2 - 4.0)
 
 _SMALLEST, _LARGEST = 2.0**-26, 24.0  # e varies as a logarithm below the first, and is below 1e-9 beyond the second
 NODES = 10  # on each panel of the integral equation
 _LOGARITHMIC = 24  # halvings of a panel towards the singularity of K0
 
-# The form in which e is kept; it leaves 1e-7.
+# The form in which e is stored; its error is 1e-7.
 _DISTANCES = np.geomspace(0.8, 8.0, 8)
 _DIRECTIONS = 20
 _FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES = -14.0, 3.5, 140  # powers of two
@@ -57,13 +57,13 @@ _ANY_POISSON = 0.3
 
 @dataclass(frozen=True)
 class FreeFace:
-    """What a free side face adds, as images at several distances whose weights depend on the direction.
+    """Correction for a free side face, as images at several distances with weights that depend on the direction.
 
     In the direction r = (u - v)^2 / (u + v)^2, in which e is smooth, and at the distance t = u + v of the image,
 
         e = sum over j of w_j(r) 2 K0(d_j t) + v_j(r) exp(-d_j t).
 
-    Back from cos(k x), the first are images at the distances d_j t, the second pressures of a half-plane.
+    Transformed back from cos(k x), the first are images at the distances d_j t, the second pressures on a half-plane.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class FreeFace:
     weights: Array
 
     def towards(self, u: Array, v: Array) -> Array:
-        """Return w_j and v_j, shape (..., 2, m), of places ``u`` and loads ``v`` of shape (...)."""
+        """Return w_j and v_j, shape (..., 2, m), for points ``u`` and loads ``v`` of shape (...)."""
         direction = np.asarray(((u - v) / (u + v)) ** 2)
         degree = len(self.weights) - 1
         basis = chebyshev.chebvander(2.0 * direction - 1.0, degree).reshape(*direction.shape, degree + 1)
@@ -107,7 +107,7 @@ class FreeFace:
 
     @cached_property
     def over_image(self) -> Array:
-        """What is added far away over what the image does: powers of 2 r - 1 in the direction r, highest first.
+        """Far-field correction over the effect of the image: powers of 2 r - 1 in the direction r, highest first.
 
         It is accurate to 2e-4.
         """
@@ -120,7 +120,7 @@ class FreeFace:
 
 
 def edge_kernel(u: Array, v: Array) -> Array:
-    """Return the limit of e towards the edge, less a constant; it does not depend on Poisson's ratio.
+    """Return the limit of e towards the edge, up to a constant; it does not depend on Poisson's ratio.
 
     ``u`` and ``v`` are distances in any unit, not both zero.
     """
@@ -133,7 +133,7 @@ def edge_kernel(u: Array, v: Array) -> Array:
 
 @lru_cache(MOST)
 def free_face(poisson: float) -> FreeFace:
-    """Return what the free side face of a material adds."""
+    """Return the correction for a free side face of a material."""
     return FreeFace(poisson, _DISTANCES, _weights(poisson))
 
 
@@ -143,7 +143,7 @@ def _weights(poisson: float) -> Array:
     solved = EdgeSolution.of(poisson)
     nodes = chebyshev.chebpts1(_DIRECTIONS)
     size = 2.0 ** np.linspace(_FIRST_SAMPLE, _LAST_SAMPLE, _SAMPLES)
-    aside = np.sqrt(0.5 * (1.0 + nodes))  # of the distances, from their mean over it
+    aside = np.sqrt(0.5 * (1.0 + nodes))  # deviation of the distances from their mean, over the mean
     fitted = np.array(
         [_fit_weights(size, solved.at(size * (1.0 + fraction), size * (1.0 - fraction))) for fraction in aside]
     )
@@ -152,7 +152,7 @@ def _weights(poisson: float) -> Array:
 
 
 def _fit_weights(size: Array, wanted: Array) -> Array:
-    """Return w_j and v_j, shape (2, m), of e in one direction, at these means of both distances."""
+    """Return w_j and v_j, shape (2, m), fitted to e in one direction at these means of both distances."""
     from scipy import special
 
     distance = np.multiply.outer(2.0 * size, _DISTANCES)
@@ -164,7 +164,7 @@ def _fit_weights(size: Array, wanted: Array) -> Array:
 
 @dataclass(frozen=True)
 class EdgeSolution:
-    """The function e, on the nodes of the integral equation, and in between by the polynomials of each panel."""
+    """The function e at the nodes of the integral equation, and between them by the polynomials of each panel."""
 
     panels: Array
     values: Array
@@ -173,14 +173,14 @@ class EdgeSolution:
     def of(cls, poisson: float) -> EdgeSolution:
         """Solve the integral equation."""
         panels, y, _, brought, operator = corner_operator(poisson)
-        # In the core, whose last digits depend on no number of threads: what follows is kept on disk.
+        # In the core, where the last digits do not depend on the number of threads: the result is stored on disk.
         beyond = core.product(operator, core.solved(np.eye(y.size) - core.product(operator, operator), brought))
         values = 2.0 * core.product(_displacement_matrix(), beyond)
-        # By reciprocity; what differs is error.
+        # Symmetrised by reciprocity; the difference is error.
         return cls(panels, 0.5 * (values + values.T))
 
     def at(self, u: Array, v: Array) -> Array:
-        """Return e at places within the panels."""
+        """Return e at points within the panels."""
         panels, nodes = self.panels.size - 1, NODES
         blocks = self.values.reshape(panels, nodes, panels, nodes)
         (row, of_u), (column, right) = (interpolation(self.panels, distance) for distance in (u, v))
@@ -202,7 +202,7 @@ def corner_operator(poisson: float) -> tuple[Array, Array, Array, Array, Array]:
 
 
 def _panels() -> Array:
-    """Return panels that double in size away from the edge, up to a few wave lengths."""
+    """Return panels that double in size away from the edge, up to a few wavelengths."""
     borders = [0.0, _SMALLEST]
     while borders[-1] < _LARGEST:
         borders.append(borders[-1] + (borders[-1] if borders[-1] < 1.0 else min(2.0, max(1.0, 0.5 * borders[-1]))))
@@ -217,7 +217,7 @@ def nodes_on(panels: Array) -> tuple[Array, Array]:
 
 
 def interpolation(panels: Array, places: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return the panel of each place, and the weights of the panel's nodes there."""
+    """Return the panel of each point, and the weights of the panel's nodes there."""
     panel = np.clip(np.searchsorted(panels, places) - 1, 0, panels.size - 2)
     low, high = panels[panel], panels[panel + 1]
     return panel, legendre.legvander((2.0 * places - low - high) / (high - low), NODES - 1) @ to_legendre()
@@ -231,7 +231,7 @@ def to_legendre() -> Array:
 
 
 def _kernel_matrix(poisson: float) -> Array:
-    """Return the kernel a between all nodes: places in rows, loads in columns."""
+    """Return the kernel a between all nodes: points in rows, loads in columns."""
     of_all, of_compressible = _bessel_functions()
     matrix: Array = 2.0 / math.pi * (of_all - (1.0 - 2.0 * poisson) * of_compressible)
     return matrix
@@ -268,10 +268,10 @@ def _integral_beyond(panels: Array, values: Array) -> Array:
 
 
 def _mend_corner(operator: Array, panels: Array, y: Array, weight: Array) -> None:
-    """Let the operator take a constant load on the first panel to its exact stress there.
+    """Correct the operator so that a constant load on the first panel gives its exact stress there.
 
-    A constant load near the edge is one that the operator leaves as it is, so that an error of this panel, however
-    small it is, would change the loads everywhere.
+    The operator leaves a constant load near the edge unchanged, so that even a small error of this panel would change
+    the loads everywhere.
     """
     z, v = y[:NODES, None], y[:NODES]
     rough = (4.0 / math.pi * z * v**2 / (z**2 + v**2) ** 2) @ weight[:NODES]
@@ -295,7 +295,7 @@ def _displacement_matrix() -> Array:
     shares = (0.5 * np.diff(halved)[:, None] * share).ravel()
     for i, place in enumerate(y):
         own = i // NODES
-        # On its own panel and beside it K0 is integrated with the polynomials, on panels halved towards the place.
+        # On the point's own panel and the next ones K0 is integrated with the polynomials, on panels halved towards it.
         for panel in range(max(0, own - 1), min(panels.size - 1, own + 2)):
             low, high = panels[panel : panel + 2]
             middle = min(max(place, low), high)

@@ -1,16 +1,16 @@
-"""The field inside the elastic quarter-space: what a free side face adds below the surface.
+"""The field inside the elastic quarter-space: correction for a free side face below the surface.
 
-The loads T of `nonhertz.bodies.quarter_space`, a pressure f on the surface and g on the side face, each mirrored, are
-found for a load that varies as cos(k x) along the edge; here they are followed into the body. With distances multiplied
-by k, a line load on a half-space at the distance s along its surface and r from the place has, at the depth d, the
-stresses and displacements
+The loads T of `nonhertz.bodies.quarter_space`, a pressure f on the surface and g on the side face, each mirrored,
+belong to a load that varies as cos(k x) along the edge; this module computes their field in the body. With distances
+multiplied by k, a line load on a half-space at the distance s along its surface and r from the point causes, at the
+depth d, the stresses and displacements
 
     sigma_d = P_d - d P_dd                            tau_sd = -d P_sd               P = K0(r) / pi
     sigma_s = -m (Q - P_d) - d P_ss + 2 nu P_d        tau_xs = m Q_s + d P_s         Q = -S / pi
     sigma_x = m Q + d P + 2 nu P_d                    tau_xd = d P_d                 m = 1 - 2 nu
     2 G u_x = m Q + d P     2 G u_s = -m Q_s - d P_s      2 G u_d = 2 (1 - nu) P - d P_d
 
-where S is the integral of K0 over the depth from there on and indices are derivatives; tau_xs, tau_xd and u_x vary as
+where S is the integral of K0 over the depth to infinity and indices are derivatives; tau_xs, tau_xd and u_x vary as
 sin(k x), the others as cos(k x). All are linear in nu, so that one table serves all materials.
 
 Towards the edge f and g grow as a logarithm, and only the sum of their fields is bounded: neither may be cut off alone.
@@ -32,7 +32,7 @@ from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
-# Places at which the field is tabulated: distances from the edge times k, and directions from the surface to the face.
+# Points at which the field is tabulated: distances from the edge times k, and directions from the surface to the face.
 DISTANCES = np.geomspace(1e-5, 18.0, 42)
 DIRECTIONS = 8
 ANGLES = 0.25 * np.pi * (1.0 - np.cos(np.pi * np.arange(DIRECTIONS) / (DIRECTIONS - 1)))
@@ -51,18 +51,18 @@ _OF_SURFACE, _OF_FACE = [2, 1, 0, 5, 4, 3, 6, 7, 8], [2, 0, 1, 5, 3, 4, 6, 8, 7]
 
 @dataclass(frozen=True, eq=False)
 class QuarterSpaceField:
-    """What a free side face adds to the field of loads and their mirror images, for loads that vary as cos(k x).
+    """Correction for a free side face to the field of loads and their mirror images, for loads that vary as cos(k x).
 
     Attributes
     ----------
     panels : ndarray, shape (panels + 1,)
         Edges of the panels on which loads are polynomials, distances from the edge times k.
     loads : ndarray, shape (nodes, rank)
-        From the load on the nodes' parts of the surface to coefficients.
+        Matrix from the load on the nodes' parts of the surface to coefficients.
     residuals : ndarray, shape (nodes, rank)
-        From a normal pressure that is wanted on the side face at the nodes to coefficients.
+        Matrix from a prescribed normal pressure on the side face at the nodes to coefficients.
     places : ndarray, shape (distances, directions, components, rank)
-        From coefficients to stresses, and displacements times 2 G k, at `DISTANCES` and `ANGLES`.
+        Arrays from coefficients to stresses, and displacements times 2 G k, at `DISTANCES` and `ANGLES`.
     """
 
     panels: Array
@@ -80,7 +80,7 @@ class QuarterSpaceField:
         edges : ndarray, shape (n,)
             Distances from the side face [mm].
         steps : ndarray, shape (m, n)
-            How much more load there is up to each edge than beyond it [N/mm].
+            Steps of the load at the edges [N/mm]: load before each edge minus load beyond it.
 
         Returns
         -------
@@ -90,12 +90,12 @@ class QuarterSpaceField:
         return loads
 
     def at_places(self, coefficients: Array, components: slice, k: Array, log_r: Array) -> Array:
-        """Return some components of the field at distances from the edge, beyond `DISTANCES` nothing.
+        """Return some components of the field at distances from the edge; zero beyond `DISTANCES`.
 
         Parameters
         ----------
         coefficients : ndarray, shape (m, rank)
-            Of the wave numbers ``k`` [1/mm].
+            Coefficients for the wave numbers ``k`` [1/mm].
         log_r : ndarray, shape (n,)
             Logarithms of distances [mm], ascending.
 
@@ -119,7 +119,7 @@ class QuarterSpaceField:
 
     @cached_property
     def _across(self) -> Callable[[Array], Array]:
-        """Logarithm of a distance times k -> how the coefficients of a face there change by those of this one."""
+        """Logarithm of a distance times k -> matrix from the coefficients of this face to those of a face there."""
         from scipy.interpolate import CubicSpline
 
         depth, _ = nodes_on(self.panels)
@@ -133,7 +133,7 @@ class QuarterSpaceField:
         return change
 
     def between_faces(self, distance: Array, one: Array, other: Array, images: int) -> tuple[Array, Array]:
-        """Return the coefficients with which two faces take away what each leaves on the other, of each of them.
+        """Return the coefficients of two faces that together remove the stress that each leaves on the other.
 
         Parameters
         ----------
@@ -142,8 +142,8 @@ class QuarterSpaceField:
         one, other : ndarray, shape (m, rank)
             Coefficients of both without the other.
         images : int
-            How many mirror images of what each of them adds there are on either side, twice the distance apart: its own
-            face sees them at even multiples of the distance, the other one at odd multiples.
+            Number of mirror images of each correction on either side, twice the distance apart: they lie at even
+            multiples of the distance from the face's own plane, at odd multiples from the other.
         """
 
         def seen(times: int) -> Array:
@@ -166,7 +166,7 @@ def _gauss_weights() -> Array:
 
 
 def between_distances(logarithm: Array) -> Array:
-    """Return the matrices from values at `DISTANCES` to values between them; nothing is left beyond."""
+    """Return the matrices from values at `DISTANCES` to values between them; zero beyond."""
     from scipy.interpolate import CubicSpline
 
     known = np.log(DISTANCES)
@@ -197,7 +197,7 @@ def quarter_space_field(poisson: float) -> QuarterSpaceField:
 
 @cache_on_disk(__name__, "nonhertz.bodies.quarter_space")
 def _table() -> Array:
-    """Return the field of any load, of all `POISSONS`, to low rank: the places, and after them the loads."""
+    """Return a low-rank form of the field of any load for all `POISSONS`: the points, followed by the loads."""
     panels, y, weight, _, _ = corner_operator(0.0)
     rows = []
     for distance in DISTANCES:
@@ -206,12 +206,12 @@ def _table() -> Array:
             by_surface = _rule(panels, y, weight, along, below)[:, _OF_SURFACE]
             rows.append((by_surface, _rule(panels, y, weight, below, along)[:, _OF_FACE]))
     surface, face = (np.concatenate(parts, axis=1) for parts in zip(*rows, strict=True))
-    # Columns weighted for loads that are integrals over the nodes' parts of the surface.
+    # Columns weighted for loads given as integrals over the nodes' parts of the surface.
     scale = np.sqrt(weight)
     of_places, of_residuals, to_residual = [], [], []
     for poisson in POISSONS:
         operator = corner_operator(poisson)[-1]
-        # What mirrored loads leave on the face is taken away by g, which brings f on the surface.
+        # g removes the stress that mirrored loads leave on the face, and causes f on the surface.
         of_face = np.linalg.inv(np.eye(y.size) - operator @ operator)
         of_surface = operator @ of_face
         field = (surface[0] + poisson * surface[1]) @ of_surface - (face[0] + poisson * face[1]) @ of_face
@@ -232,16 +232,16 @@ def _table() -> Array:
 
 
 def _low_rank(matrix: Array) -> tuple[Array, Array]:
-    """Return the orthogonal columns that nearly span a matrix, and their singular values."""
+    """Return orthogonal columns that span a matrix to `_RANK_ERROR`, and their singular values."""
     vectors, values, _ = np.linalg.svd(matrix, full_matrices=False)
     significant = values > _RANK_ERROR * values[0]
     return vectors[:, significant], values[significant]
 
 
 def _rule(panels: Array, y: Array, weight: Array, s: float, d: float) -> Array:
-    """Return the field at one place of mirrored loads, given at the nodes of one plane, shape (2, components, nodes).
+    """Return the field at one point of mirrored loads at the nodes of one plane, shape (2, components, nodes).
 
-    Its own panel and those beside it are divided into parts that are no longer than their distance from the place.
+    Its own panel and those beside it are divided into parts no longer than their distance from the point.
     """
     nearest = np.hypot(0.0, d) * 0.8 * 2.0 ** np.arange(64)
     cuts = s + np.concatenate([-nearest, [0.0], nearest])
@@ -269,7 +269,7 @@ def _kernel(s: Array, d: float) -> Array:
     p_d, p_s, p_sd = -k1 * d / r, -k1 * s / r, s * d / r**2 * (k0 + 2.0 * k1 / r)
     p_dd = d**2 / r**2 * (k0 + k1 / r) - k1 * s**2 / r**3
     p_ss = s**2 / r**2 * (k0 + k1 / r) - k1 * d**2 / r**3
-    # S by R = |s| cosh u.
+    # S by the substitution R = |s| cosh u.
     aside = np.maximum(np.abs(s), 1e-14)
     node, share = legendre.leggauss(_DEPTH_NODES)
     end = 0.5 * np.arcsinh(np.minimum(d, _FARTHEST) / aside)[:, None]

@@ -1,4 +1,4 @@
-"""What must be known of the pressure across a contact to compute how loads act far away and at depth."""
+"""Constants of the pressure across a contact that determine the effect of loads far away and at depth."""
 
 from __future__ import annotations
 

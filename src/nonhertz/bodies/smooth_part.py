@@ -1,8 +1,8 @@
-"""The smooth part of what makes a flat body with free ends a whole roller, between polynomials along the axis.
+"""Smooth part of the difference between a whole roller and a flat body with free ends, in polynomials along the axis.
 
-For low numbers of waves around it is the finite elements' work less the flat and the curved part of the same modes;
-then the sum over all modes of the flat body's functions, in closed form (Gradshteyn & Ryzhik 8.526), less their
-integral. See `nonhertz.bodies.whole_roller`, which says what it is part of.
+For low numbers of waves around it is the work from finite elements minus the flat and the curved part of the same
+modes; to this is added the sum over all modes of the flat body's functions, in closed form (Gradshteyn & Ryzhik
+8.526), minus their integral. See `nonhertz.bodies.whole_roller` for the other parts.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
-# Modes that need finite elements fade out around the first, or around the second over the wall, whichever is more.
+# Finite elements are faded out around the first number of waves, or the second over the wall, whichever is larger.
 MODES, WALLS = 20.0, 6.0
-_AT_ONCE = 0.1  # of a power of e: the width of the change from one to the other
+_AT_ONCE = 0.1  # in ln: the width of the transition from one to the other
 _SAMPLED = np.array([0, 2, 4, 6, 8, 12, 16, 20, 24, 32, 40, 52, 64, 80, 100, 128])  # modes to interpolate between
-_POINTS = 4  # of which each mode is interpolated
-# Polynomials along the axis, of a short roller and for each half-length; the last ones count less and less.
+_POINTS = 4  # from which each mode is interpolated
+# Polynomials along the axis, for a short roller and for each half-length; the last ones are faded out.
 TERMS, _TERMS_PER_LENGTH, _FADING = 12.0, 6.0, 4.0
-PER_TERM = 5.0  # half-lengths over the polynomials, of the longest element
+PER_TERM = 5.0  # half-lengths over the number of polynomials: the longest element
 _PANELS, _NODES = 18, 12  # halvings towards logarithms, and nodes on each panel
-_OUTER_NODES = 24  # and as many for every eight polynomials: with half of them the sixth digit changes
+_OUTER_NODES = 24  # and as many again for every eight polynomials: with half of them the sixth digit changes
 _LAST_MODE = 4000
 _SPACING = 2.0  # of the wave numbers of even modes, times the radius
-_BY_SERIES, _REFLECTIONS = 2.5, 9  # beyond that by this many terms, of 1e-9 and less
+_BY_SERIES, _REFLECTIONS = 2.5, 9  # series below the first; beyond it this many terms, of 1e-9 and less
 _ZETA = (1.2020569031595942, 1.0369277551433699, 1.0083492773819228, 1.0020083928260822, 1.0004941886041195,
          1.0001227133475785, 1.0000305882363070, 1.0000076371976379)  # of 3, 5, 7 ...  # fmt: skip
-_NEAREST, _FAR, _DISTANCES = 1e-12, 700.0, 3001  # of the flat body's functions, which are tables in the logarithm
+_NEAREST, _FAR, _DISTANCES = 1e-12, 700.0, 3001  # of the flat body's functions, tabulated in the logarithm
 
 _gauss = cache(legendre.leggauss)
 
@@ -57,15 +57,15 @@ def terms_along(outline: Outline) -> float:
 
 
 def modes_around(outline: Outline) -> float:
-    """Return how many waves around need finite elements, a real number."""
+    """Return the number of waves around up to which finite elements are needed, a real number."""
     x = 0.5 * math.log(WALLS / outline.wall / MODES)
     return MODES * math.exp(x + math.hypot(x, 0.5 * _AT_ONCE))
 
 
 def _sample_modes(most: float) -> dict[int, float]:
-    """Return modes and the weights with which they stand for all.
+    """Return sampled modes and the weights with which they represent all modes.
 
-    What a mode leaves falls as n^-3: that times n^3 is interpolated in 1 / n, and stays so beyond ``most``.
+    The remainder of a mode falls as n^-3: n^3 times it is interpolated in 1 / n, and constant beyond ``most``.
     """
     n: Array = np.arange(2.0, _LAST_MODE, 2.0)
     counts = _step((1.25 * most - n) / (0.5 * most))
@@ -89,7 +89,7 @@ def curved_factors(poisson: float) -> tuple[float, float, float]:
 
 
 def fading(outline: Outline) -> Array:
-    """Return by what polynomials along the axis count, the last ones less and less."""
+    """Return the weights of polynomials along the axis, which fall for the last ones."""
     terms = terms_along(outline)
     return _step((terms - np.arange(float(math.ceil(terms)))) / _FADING)
 
@@ -104,7 +104,7 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
     poisson : float
         Poisson's ratio.
     count : int
-        Of polynomials, all of which count in full.
+        Number of polynomials, all with full weight.
     longest : float
         The longest element along the axis [radii].
 
@@ -129,13 +129,13 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
     work = elements.work(list(modes), forces, readings)
     by_elements = np.sum(np.array(list(modes.values()))[:, None, None] * work, axis=0)
     node, weight = _gauss(_OUTER_NODES * (1 + math.ceil(count / 8)))
-    if outline.symmetric:  # the other half does the same
+    if outline.symmetric:  # the other half is its mirror image
         by_elements *= 2.0
         weight = np.where(node > 0.0, 2.0, node == 0.0)[node >= 0.0] * weight[node >= 0.0]
         node = node[node >= 0.0]
     y = half_length * node
     points, weights = np.array([_points(place, half_length) for place in y]).transpose(1, 0, 2)
-    # Waves around are as long as the surface is wide.
+    # Waves around scale with the local radius of the surface.
     radius = np.sqrt(outline.girths(y)[:, None] * outline.girths(points))
     effect = _subtract_modes(modes, poisson, outline, y, points, radius) * (weights / radius)
     loads = polynomials(points.ravel()).reshape(*points.shape, -1)
@@ -149,12 +149,12 @@ def response_matrix(outline: Outline, poisson: float, count: int, longest: float
 def _subtract_modes(
     modes: dict[int, float], poisson: float, outline: Outline, y: Array, points: Array, radius: Array
 ) -> Array:
-    """Return all modes of a flat body less their integral, less the flat and curved part of some modes.
+    """Return all modes of a flat body minus their integral, minus the flat and curved part of some modes.
 
     Parameters
     ----------
     modes : dict
-        Those modes, and how much each counts.
+        Those modes and their weights.
     poisson : float
         Poisson's ratio.
     outline : Outline
@@ -162,9 +162,9 @@ def _subtract_modes(
     y : ndarray, shape (places,)
         Places [radii].
     points : ndarray, shape (places, points)
-        Points from which what acts on each is integrated [radii].
+        Points over which the effect on each place is integrated [radii].
     radius : ndarray, shape (places, points)
-        The surface's, between both.
+        Radius of the surface between place and point.
 
     Returns
     -------
@@ -183,7 +183,7 @@ def _subtract_modes(
 def _tables(
     waves: tuple[tuple[int, float], ...], poisson: float
 ) -> tuple[core.LogarithmicTable, core.LogarithmicTable, core.LogarithmicTable]:
-    """Return the sums over all modes less some, of loads and of pressures of a half-plane, and their curved part."""
+    """Return the sums over all modes minus some, for loads and for pressures on a half-plane, and their curved part."""
     # Imported here, because most contacts need none of this.
     from scipy import special
 
@@ -200,7 +200,7 @@ def _tables(
 
 
 def _tabulate(function: Callable[[Array], Array]) -> core.LogarithmicTable:
-    """Return a function of a distance by cubic polynomials in its logarithm, below the first straight in it."""
+    """Return a function of a distance as cubic polynomials in its logarithm, linear in it below the first."""
     from scipy.interpolate import CubicSpline
 
     first, last = math.log(_NEAREST), math.log(_FAR)
@@ -209,7 +209,7 @@ def _tabulate(function: Callable[[Array], Array]) -> core.LogarithmicTable:
 
 
 def _points(place: float, half_length: float) -> tuple[Array, Array]:
-    """Return points on the length of a roller, denser towards a place and both ends, and their weights."""
+    """Return points along a roller, denser towards a place and both ends, and their weights."""
     node, weight = _gauss(_NODES)
     halved = np.concatenate([[0.0], 2.0 ** np.arange(1.0 - _PANELS, 1.0)])
     part = 0.5 * (halved[1:] + halved[:-1])[:, None] + 0.5 * np.diff(halved)[:, None] * node
@@ -223,7 +223,7 @@ def _points(place: float, half_length: float) -> tuple[Array, Array]:
 
 
 def sum_over_images(distance: Array) -> Array:
-    """Return the sum over even modes, but for the first, of 2 K0(n s) less their integral over n; times 2 / pi."""
+    """Return the sum of 2 K0(n s) over even modes except the first, minus the integral over n; times 2 / pi."""
     from scipy import special
 
     x = _SPACING * distance
@@ -239,7 +239,7 @@ def sum_over_images(distance: Array) -> Array:
 
 
 def sum_over_planes(distance: Array) -> Array:
-    """Return the same of exp(-n s)."""
+    """Return the same for exp(-n s)."""
     x = _SPACING * distance
     at_least = np.clip(x, 1e-3, 700.0)
     total: Array = np.where(x < 1e-2, -0.5 + x / 12.0 - x**3 / 720.0, 1.0 / np.expm1(at_least) - 1.0 / at_least)

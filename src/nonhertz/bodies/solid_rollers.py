@@ -1,9 +1,9 @@
-"""The smooth part of solid cylindrical rollers, from a table over their length and Poisson's ratio.
+"""Smooth part of solid cylindrical rollers, from a table over their length and Poisson's ratio.
 
-Between polynomials that all count in full, it is a smooth function of both: a Chebyshev series in Poisson's ratio and,
-on seven intervals, in the logarithm of the length over the diameter, within 1e-6 of its largest number. Elements were
-shorter for it than for a single shape, which is off by up to 1e-4. ``python -m nonhertz.bodies.solid_rollers`` makes
-the table.
+With full weight of all polynomials it is a smooth function of both: a Chebyshev series in Poisson's ratio and, on seven
+intervals, in the logarithm of the length over the diameter, within 1e-6 of its largest number. The table was made with
+shorter elements than a single shape uses, whose error is up to 1e-4. ``python -m nonhertz.bodies.solid_rollers`` makes
+it.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ NAME = "solid_rollers.npz"
 BORDERS = (0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4, 10.0)
 LEAST_POISSON, MOST_POISSON = 0.0, 0.48
 _LENGTHS, _POISSONS = 12, 12  # Chebyshev points of each
-_PER_TERM, _LONGEST = 1.5, 0.4  # half-lengths over the polynomials, and radii, of the longest element
-_LEAST = 3e-8  # of the series' largest coefficient: smaller ones are left out, as are orders with a sum of 12 or more
+_PER_TERM, _LONGEST = 1.5, 0.4  # the longest element: half-lengths over the number of polynomials, and radii
+_LEAST = 3e-8  # of the largest coefficient: smaller ones are left out, as are orders with a sum of 12 or more
 
 
 def response_matrix(half_length: float, poisson: float, count: int) -> Array | None:
-    """Return the matrix of a solid cylinder, `count` polynomials; None where the table has none.
+    """Return the matrix of a solid cylinder for `count` polynomials; None outside the table.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def response_matrix(half_length: float, poisson: float, count: int) -> Array | N
     poisson : float
         Poisson's ratio.
     count : int
-        Of polynomials, no more than `nonhertz.bodies.smooth_part.terms_along` asks for.
+        Number of polynomials, no more than `nonhertz.bodies.smooth_part.terms_along` returns.
 
     Returns
     -------
@@ -68,12 +68,12 @@ def response_matrix(half_length: float, poisson: float, count: int) -> Array | N
 
 
 def _count(k: int) -> int:
-    """Return how many polynomials the longest roller of an interval needs."""
+    """Return the number of polynomials for the longest roller of an interval."""
     return math.ceil(terms_along(Outline.cylinder(BORDERS[k + 1])))
 
 
 def _places(size: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return where the numbers of a symmetric matrix are that does not mix even and odd, each once."""
+    """Return the indices of the independent numbers of a symmetric matrix that does not couple even and odd."""
     rows, columns = np.tril_indices(size)
     alike = (rows + columns) % 2 == 0
     return rows[alike], columns[alike]
@@ -81,7 +81,7 @@ def _places(size: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
 
 @cache
 def _table() -> list[tuple[NDArray[np.intp], Array]]:
-    """Return of each interval the orders of the series' terms, shape (2, terms), and their coefficients."""
+    """Return for each interval the orders of the terms of the series, shape (2, terms), and their coefficients."""
     with (resources.files("nonhertz.bodies") / NAME).open("rb") as file, np.load(file) as arrays:
         return [
             (arrays[f"orders{k}"].astype(np.intp), arrays[f"series{k}"].astype(float)) for k in range(len(BORDERS) - 1)
@@ -89,7 +89,7 @@ def _table() -> list[tuple[NDArray[np.intp], Array]]:
 
 
 def make(path: Path) -> None:
-    """Work out the table and write it: some ten minutes."""
+    """Compute the table and write it, which takes about ten minutes."""
     x, t = (np.cos(math.pi * (np.arange(count) + 0.5) / count) for count in (_LENGTHS, _POISSONS))
     to_series = [np.linalg.inv(chebyshev.chebvander(points, points.size - 1)) for points in (x, t)]
     poissons = LEAST_POISSON + 0.5 * (MOST_POISSON - LEAST_POISSON) * (1.0 + t)

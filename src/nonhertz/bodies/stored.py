@@ -1,4 +1,4 @@
-"""Arrays that take seconds to compute, kept between processes."""
+"""Arrays that take seconds to compute, cached between processes."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from nonhertz.bodies.files import read, write
 
 Array = NDArray[np.float64]
 
-#: How many materials or shapes a process keeps at hand; the others are on disk.
+#: Number of materials or shapes that a process keeps in memory; the others are on disk.
 MOST = 16
 
 
 def cache_on_disk(*modules: str) -> Callable[[Callable[..., Array]], Callable[..., Array]]:
-    """Keep what a function returns, in this process and on disk.
+    """Cache the results of a function, in this process and on disk.
 
     Parameters
     ----------
     *modules : str
-        Names of the modules that the result depends on: where their text changes, it is computed again.
+        Names of the modules that the result depends on: if their source changes, it is computed again.
 
     Returns
     -------
     callable
-        A decorator of functions of numbers, text and frozen values of these that return an array; it is read-only.
+        A decorator for functions of numbers, text and frozen values of these that return an array, which is read-only.
     """
 
     def decorate(make: Callable[..., Array]) -> Callable[..., Array]:
@@ -39,7 +39,7 @@ def cache_on_disk(*modules: str) -> Callable[[Callable[..., Array]], Callable[..
         @wraps(make)
         def stored_or_made(*arguments: Hashable) -> Array:
             key = repr((make.__module__, make.__qualname__, arguments, np.__version__, _texts(modules))).encode()
-            # Of thousands of shapes no more than 4,096 are kept on disk.
+            # At most 4,096 shapes are stored on disk.
             name = f"{make.__module__}.{make.__qualname__}-{hashlib.sha256(key).hexdigest()[:3]}"
             content = read(name, key)
             if content is not None:

@@ -1,16 +1,16 @@
-"""What the stress in a hollow roller is more than that of two flat bodies: the bending of its wall, by low modes.
+"""Stress in a hollow roller in excess of that of two flat bodies: the bending of its wall, by low modes.
 
-Around a roller that is pressed alike on two opposite sides, stress is a sum over even n of cos(n theta) and sin(n
-theta). Two half-spaces with their images, one under each of the two loads, have the stress near the contacts; what
-their sum has of mode n on circles about the axis is wrong for low n, for which the wall bends. So for n up to N the
-mode of the half-spaces is taken away, and that of the whole roller by finite elements put in its place. Nothing counts
-twice, whatever the half-spaces are. In two dimensions what is put in of a solid disc is q / (pi R) in n = 0 and nothing
-else. Waves above N reach no deeper than a sixth of the wall, where they are those of the half-space.
+Around a roller under the same load on two opposite sides, stress is a sum over even n of cos(n theta) and sin(n
+theta). Two half-spaces with their images, one under each of the two loads, give the stress near the contacts; mode n of
+their sum on circles about the axis is wrong for low n, for which the wall bends. For n up to N, the mode of the
+half-spaces is therefore replaced by that of the whole roller from finite elements. No contribution is counted twice,
+whatever the half-spaces are. For a solid disc in two dimensions the added stress reduces to q / (pi R) in n = 0. Waves
+above N reach no deeper than a sixth of the wall, where they agree with those of the half-space.
 
-Modes are kept between Legendre polynomials of the load along the axis, and Chebyshev points through the wall and along
-the axis. Both are of line loads; that a contact has a width is a factor of each mode's load. The modes of a point load
-on a half-space depend on the distance along the axis alone, so that one table for each circle serves all loads. The
-outermost circle lies just below the surface, to which the polynomials are continued.
+Modes are stored for Legendre polynomials of the load along the axis, at Chebyshev points through the wall and along the
+axis. Both are for line loads; the width of a contact is a factor on each mode's load. The modes of a point load on a
+half-space depend only on the distance along the axis, so one table for each circle serves all loads. The outermost
+circle lies just below the surface; the polynomials are extrapolated to the surface.
 """
 
 from __future__ import annotations
@@ -36,17 +36,17 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_MODES, _WALLS = 24, 6.0  # waves around, at least and times the radius over the wall
-_TERMS, _TERMS_PER_LENGTH = 12.0, 6.0  # polynomials of the load, of a short roller and for each half-length
+_MODES, _WALLS = 24, 6.0  # waves around: at least, and for each radius over the wall
+_TERMS, _TERMS_PER_LENGTH = 12.0, 6.0  # polynomials of the load: for a short roller, and for each half-length
 _FINE = 66  # waves around for which elements at the edges are small enough
-_THROUGH, _THROUGH_PER_WALL = 6, 5.0  # points through the wall: of a thin one, and for each radius
+_THROUGH, _THROUGH_PER_WALL = 6, 5.0  # points through the wall: for a thin one, and for each radius
 _ALONG = 13  # points along the axis, at least
-TOP = 0.97  # the outermost circle, as a share of the wall
-_ANGLES, _DISTANCES = 64, 121  # of the tables of point loads: on a quarter of a circle, for no waves, and along
+TOP = 0.97  # the outermost circle, as a fraction of the wall
+_ANGLES, _DISTANCES = 64, 121  # of tables of point loads: on a quarter of a circle without waves, and along
 _LOADS, _WAVES_PER_PANEL = 12, 5  # points of a panel of loads along the axis, which has as many half-waves
-# Components: rr, tt, yy and r theta, r y, theta y; all but r theta and theta y vary as cos(n theta).
+# Components: rr, tt, yy and r theta, r y, theta y; all except r theta and theta y vary as cos(n theta).
 _EVEN = np.array([True, True, True, False, True, False])
-_ODD = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # their signs at the opposite place along the axis
+_ODD = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # their signs at the mirrored position along the axis
 _gauss = cache(legendre.leggauss)
 
 
@@ -59,7 +59,7 @@ class WallModes:
     outline : Outline
         A section through its axis.
     factors : ndarray, shape (waves, through, along, 6, terms)
-        Chebyshev coefficients, through the wall and along the axis, of the stress of each mode by each polynomial.
+        Chebyshev coefficients, through the wall and along the axis, of the stress of each mode under each polynomial.
     """
 
     outline: Outline
@@ -83,12 +83,12 @@ class WallModes:
         return coefficients
 
     def of_field(self, field: Callable[[Array], Array]) -> Array:
-        """Return the same coefficients of a field and its like from the opposite side.
+        """Return the same coefficients for a field plus the same field from the opposite side.
 
         Parameters
         ----------
         field : callable
-            Points (n, 3) across, from the middle along and below the surface [radii] -> six stresses, shape (n, 6).
+            Points (n, 3), across, along from the middle, and below the surface [radii] -> six stresses, shape (n, 6).
         """
         waves, through, along = np.rint(self.waves).astype(int), *self.factors.shape[1:3]
         shares, places = _circles(through, along, self.outline.half_length)
@@ -114,7 +114,7 @@ class WallModes:
 def bending_of(body: Body) -> tuple[WallModes, float] | None:
     """Return the modes of the stress in a hollow roller, and the radius that is their unit [mm].
 
-    None if it is not hollow, or if its bore has steps, for which modes are not known.
+    None if it is not hollow, or if its bore has steps, for which modes are not computed.
     """
     if body.bore is None:
         return None
@@ -137,12 +137,12 @@ def _chebyshev_points(count: int) -> Array:
 
 
 def _to_chebyshev(count: int) -> Array:
-    """Return what makes Chebyshev coefficients of values at as many points."""
+    """Return the matrix from values at as many points to Chebyshev coefficients."""
     return np.asarray(np.linalg.inv(chebyshev.chebvander(_chebyshev_points(count), count - 1)), dtype=np.float64)
 
 
 def _circles(through: int, along: int, half_length: float) -> tuple[Array, Array]:
-    """Return shares of the wall and places along the axis [radii], an odd number, of circles for modes."""
+    """Return the fractions of the wall and an odd number of axial places [radii] of the circles for modes."""
     places = half_length * _chebyshev_points(along)
     places[along // 2] = 0.0
     return 0.5 * TOP * (1.0 + _chebyshev_points(through)), places
@@ -157,7 +157,7 @@ def _factors(outline: Outline, poisson: float) -> Array:
     waves = np.arange(0, most + 1, 2)
     through, along = _THROUGH + math.ceil(_THROUGH_PER_WALL * outline.wall), max(_ALONG, count // 2 | 1)
     shares, places = _circles(through, along, half_length)
-    lower = places.size // 2 if outline.symmetric else 0  # those that mirror the others
+    lower = places.size // 2 if outline.symmetric else 0  # mirror images of the others
     elements = HarmonicElements(outline, poisson, max(most, _FINE))
     forces = elements.forces(lambda z: _polynomials(half_length, count, z))
     stresses = np.stack(
@@ -175,7 +175,7 @@ def _factors(outline: Outline, poisson: float) -> Array:
 def _of_half_spaces(
     outline: Outline, poisson: float, waves: NDArray[np.int64], shares: Array, places: Array, count: int
 ) -> Array:
-    """Return the modes on circles of both half-spaces and their images, shape (waves, shares, places, 6, terms)."""
+    """Return the modes of both half-spaces and their images on circles, shape (waves, shares, places, 6, terms)."""
     half_length = outline.half_length
     outer, inner = outline.radii(places)
     stresses = np.empty((waves.size, shares.size, places.size, 6, count))
@@ -195,10 +195,10 @@ def _of_half_spaces(
 
 
 def _around(y: float, scale: float, half_length: float, count: int) -> tuple[Array, Array]:
-    """Return nodes and weights for polynomials on the roller and its two images, seen from a distance `scale` at y.
+    """Return nodes and weights for polynomials on the roller and its two images, about a point at a distance `scale`.
 
-    Panels double with the distance from y, and are no longer than a few waves of the last polynomial, which are as
-    short towards the ends as those of a cosine.
+    Panels double with the distance from y and are no longer than a few waves of the last polynomial, which shorten
+    towards the ends like those of a cosine.
     """
     waves = -half_length * np.cos(np.linspace(0.0, np.pi, 1 + math.ceil(count / _WAVES_PER_PANEL)))
     steps = scale * 2.0 ** np.arange(1 + math.ceil(math.log2(4.0 * half_length / scale)))
@@ -226,14 +226,14 @@ def _point_loads(
 
 
 def _quarter(depth: float, waves: NDArray[np.int64]) -> tuple[Array, Array]:
-    """Return angles on a quarter of a circle, denser towards the load, and what makes modes of polar stresses there.
+    """Return angles on a quarter of a circle, denser towards the load, and the matrices from polar stresses to modes.
 
     Parameters
     ----------
     depth : float
-        Of the circle below the surface [radii].
+        Depth of the circle below the surface [radii].
     waves : ndarray, shape (waves,)
-        Even numbers of waves around; the other quarters are as symmetry has them.
+        Even numbers of waves around; the other quarters follow by symmetry.
 
     Returns
     -------
@@ -247,14 +247,14 @@ def _quarter(depth: float, waves: NDArray[np.int64]) -> tuple[Array, Array]:
     return theta, factor * np.where(_EVEN[:, None, None], np.cos(turns), np.sin(turns))
 
 
-#: Signs of sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy of the same seen from the opposite side.
+#: Signs of sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy of the same stress seen from the opposite side.
 OPPOSITE = np.array([1.0, 1.0, 1.0, -1.0, 1.0, -1.0])
 
 
 def _point_load(x: Array, y: Array, z: Array, poisson: float) -> Array:
     """Return the six stresses of Boussinesq's point load on a half-space, shape (..., 6)."""
     lateral, R = 1.0 - 2.0 * poisson, np.sqrt(x * x + y * y + z * z)
-    # (1 - z / R) / r^2 and (2 g - z / R^3) / r^2, r^2 = x^2 + y^2, as they are below the load, too.
+    # (1 - z / R) / r^2 and (2 g - z / R^3) / r^2, r^2 = x^2 + y^2, in a form that also holds directly below the load.
     g, w = 1.0 / (R * (R + z)), (2.0 * R + z) / (R**3 * (R + z) ** 2)
     fifth = 3.0 * z / R**5
     stress: Array = np.stack([
@@ -265,7 +265,7 @@ def _point_load(x: Array, y: Array, z: Array, poisson: float) -> Array:
 
 
 def _polar(stress: Array, theta: Array) -> Array:
-    """Return rr, tt, yy, rt, ry, ty at an angle from the load of stresses in the contact's axes, shape (..., 6)."""
+    """Return rr, tt, yy, rt, ry, ty at an angle from the load, from stresses in the contact's axes, shape (..., 6)."""
     sine, cosine = np.sin(theta), np.cos(theta)
     xx, yy, zz, yz, xz, xy = np.moveaxis(stress, -1, 0)
     both = 2.0 * xz * sine * cosine

@@ -247,7 +247,7 @@ class Life(Input):
     ] = None
     laminae: Annotated[
         int | None,
-        Count("number of laminae of iso-16281, 60 if left out", FEWEST, MOST, "give the number of slices, 60 say"),
+        Count("number of laminae of iso-16281, 60 if left out", FEWEST, MOST, "give the number of slices, such as 60"),
     ] = None
     edge_stress: Annotated[
         str | None,

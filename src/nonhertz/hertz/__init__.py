@@ -1,7 +1,7 @@
 """Hertz's closed forms: the point contact, the line contact, and the compression in a line contact.
 
-Everything else in the package is checked against these, so they are accurate to the last digits for every shape, from
-the circle to a contact a million times longer than wide.
+The rest of the package is checked against these, so they are accurate to the last digits for every shape, from the
+circle to a contact a million times longer than wide.
 """
 
 from nonhertz.hertz.line import (

@@ -1,4 +1,4 @@
-"""The line contact of Hertz, and how far bodies are compressed in it."""
+"""The line contact of Hertz, and the compression of bodies in it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class LineContact:
     """A Hertz contact over an infinitely long strip, as made by `line_contact`.
 
     It has no approach of its own: in plane strain the displacement grows without bound with the distance of
-    the point that it is measured against. `plane_strain_cylinder_compression` and
+    its reference point. `plane_strain_cylinder_compression` and
     `half_space_line_compression` each choose such a point.
 
     Parameters
@@ -164,7 +164,7 @@ def line_contact(
 
 
 def plane_strain_cylinder_compression(contact: LineContact, *, diameter: float, material: Material) -> float:
-    """Return how far the axis of a long solid cylinder moves towards its line contact [mm].
+    """Return the compression [mm] of a long solid cylinder: how far its axis moves towards its line contact.
 
     delta = q K1 (2 ln(4R/b) - 1), with R = D/2 and K1 the compliance of this cylinder alone. The load enters
     at the contact and leaves at the opposite side of the cylinder, so the diameter between two equal contacts
@@ -258,7 +258,7 @@ def half_space_line_compression(contact: LineContact, *, length: float) -> float
 
 
 def _refuse_wider(contact: LineContact, name: str, value: float, remedy: str) -> None:
-    """Refuse a line contact that is wider than what it presses."""
+    """Refuse a line contact that is wider than the length or diameter of its body."""
     if not isinstance(contact, LineContact):
         raise InputError("contact", contact, "be a LineContact", "make one with line_contact")
     condition = f"exceed the width of contact of {mm(2.0 * contact.half_width):.6g}"

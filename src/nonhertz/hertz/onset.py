@@ -1,4 +1,4 @@
-"""At which pressure Hertzian contacts begin to yield."""
+"""Pressures at which Hertzian contacts begin to yield."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-#: Places on the axis below a Hertzian contact, over its radius or half-width, at which stress is looked at.
+#: Depths below the middle of a Hertzian contact, over its radius or half-width, at which stress is evaluated.
 DEPTHS: Final = np.linspace(0.0, 20.0, 20001)
 
 
@@ -16,8 +16,8 @@ DEPTHS: Final = np.linspace(0.0, 20.0, 20001)
 def onset_of_yield(poisson: float) -> tuple[float, float]:
     """Return the largest pressure over the yield strength at which circular and line contacts begin to yield [-].
 
-    By the criterion of von Mises on the axis below the largest pressure, where it is reached first: 1.61 and 1.79 for
-    a Poisson's ratio of 0.3.
+    The von Mises criterion is evaluated on the axis below the largest pressure, where yielding begins: 1.61 and 1.79
+    for a Poisson's ratio of 0.3.
 
     Parameters
     ----------

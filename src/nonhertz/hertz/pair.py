@@ -1,4 +1,4 @@
-"""What point and line contacts share: the compliance of both bodies, and the half-circle of Hertz's pressure."""
+"""Common parts of point and line contacts: the compliance of both bodies, and Hertz's semi-elliptic pressure."""
 
 from __future__ import annotations
 

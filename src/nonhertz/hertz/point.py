@@ -140,7 +140,7 @@ def point_contact(
     ----------
     radius_x, radius_y : float or pair of float
         Combined radii of curvature Rx across and Ry along the contact [mm], 1/R = 1/R_a + 1/R_b, positive. Or pairs of
-        those of body a and body b, each in its own principal planes: negative concave, infinite straight.
+        the radii of body a and body b, each in its own principal planes: negative if concave, infinite if straight.
     compliance : float, optional
         Sum of both half-space compliances K = (1 - nu^2) / (pi E) [1/MPa]: ``Contact.compliance``. Give this,
         ``e_star`` or ``materials``.
@@ -164,7 +164,7 @@ def point_contact(
     ------
     InputError
         If a value is not positive and finite, if not exactly one of ``load`` and ``approach`` is given, if the bodies
-        do not touch at a point alone, or if the radii differ by more than a factor of 1e100.
+        do not touch at a single point, or if the radii differ by more than a factor of 1e100.
 
     Notes
     -----
@@ -211,7 +211,7 @@ def point_contact(
 
     displacement = 1.5 * float(elliprf(0.0, slenderness**2, 1.0))  # delta a / (K Q)
     curvature = float(elliprd(0.0, slenderness**2, 1.0))  # a^3 / (K Q R), R the long radius
-    # Of the two curvature conditions the one with the long radius is used: it hardly depends on the axis ratio.
+    # The curvature condition with the long radius is used: it hardly depends on the axis ratio.
     if load is not None and approach is None:
         positive("load", load, "give the load in N, or the approach in mm instead")
         load = float(load)
@@ -241,7 +241,7 @@ def point_contact(
 
 
 def _combine_radii(radius_x: float | Pair, radius_y: float | Pair, angle: float) -> tuple[float, float, float]:
-    """Return combined radii, of bodies at an angle if they are pairs, and the angle from x of body a to x of both."""
+    """Return combined radii, for pairs those of bodies at an angle, and the angle from x of body a to x of both."""
     turned = 0.0
     finite("angle", angle, "give the angle between the planes of x of both bodies in rad")
     if isinstance(radius_x, tuple | list) or isinstance(radius_y, tuple | list) or angle != 0.0:
@@ -258,7 +258,7 @@ def _combine_pairs(radius_x: object, radius_y: object, angle: float) -> tuple[fl
     mean, half = 0.5 * (ax + ay + bx + by), 0.5 * (ax - ay) + 0.5 * (bx - by) * cmath.exp(2j * angle)
     larger = mean + abs(half)
     cosine, sine = math.cos(angle) ** 2, math.sin(angle) ** 2
-    # The determinant in place of mean - |half|, which cancels where the axes are all but parallel.
+    # The determinant instead of mean - |half|, which cancels where the axes are nearly parallel.
     determinant = ax * ay + bx * by + (ax * by + ay * bx) * cosine + (ax * bx + ay * by) * sine
     if not (larger > 0.0 and determinant > 0.0):
         remedy = "raise the radii of the concave body; a contact of parallel straight bodies is a line_contact"
@@ -270,7 +270,7 @@ def _combine_pairs(radius_x: object, radius_y: object, angle: float) -> tuple[fl
 
 
 def _curvatures(name: str, radii: object) -> list[float]:
-    """Return the curvatures of both bodies, of a pair of radii."""
+    """Return the curvatures of both bodies from a pair of radii."""
     pair = list(radii) if isinstance(radii, tuple | list) else []
     if len(pair) != 2 or not all(isinstance(radius, Real) and abs(float(radius)) >= LEAST for radius in pair):
         condition = "be a pair of radii other than zero where one radius is a pair or an angle is given"

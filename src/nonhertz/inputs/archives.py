@@ -28,17 +28,17 @@ class Archive:
     Attributes
     ----------
     kind : str
-        What the file says that it is.
+        Kind stated in the file.
     version : int
-        The version that is written, and the only one that is read.
+        The version that is written, and the only one that can be read.
     contents, undamaged : str
-        How messages call what is in it: ``"a map"``, ``"an undamaged map"``.
+        Names of the contents in messages: ``"a map"``, ``"an undamaged map"``.
     most : int
         Largest size in bytes.
     remedy : str
         What to do about a file of another kind.
     again : str
-        What to do about one that is damaged, or of another version.
+        What to do about a file that is damaged or of another version.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class Archive:
             raise InputError("file", path, "be the name of a file", "give the name of the file to write")
         arrays = {name: np.asarray(value) for name, value in fields.items()}
         arrays |= {"kind": np.asarray(self.kind), "version": np.asarray(self.version)}
-        if is_special_file(path):  # a pipe cannot be replaced, and does not let anybody seek in it
+        if is_special_file(path):  # a pipe cannot be replaced or searched
             buffer = io.BytesIO()
             np.savez(buffer, **arrays)  # type: ignore[arg-type]
             Path(path).write_bytes(buffer.getvalue())
@@ -83,7 +83,7 @@ class Archive:
             raise InputError("file", path, "be the name of a file", self.remedy)
         name = str(path)
         try:
-            # Memory for as much as may come is asked for at once, and a file on disk says how much that is.
+            # Memory is reserved at once for the largest size possible; a file on disk states its size.
             size = MOST_PIPED if is_special_file(path) else Path(path).stat().st_size
             data = read_bytes(path, min(self.most, size))
         except (OSError, ValueError) as error:
@@ -98,7 +98,7 @@ class Archive:
         return entries
 
     def damaged_error(self, path: str | os.PathLike[str]) -> InputError:
-        """Return the error about contents that are incomplete or do not fit together."""
+        """Return the error about incomplete or inconsistent contents."""
         return InputError("file", str(path), f"hold {self.undamaged}", self.again)
 
 
@@ -109,7 +109,7 @@ def text(entries: Mapping[str, np.ndarray[Any, Any]], name: str) -> str:
 
 
 def digest(fields: Mapping[str, np.ndarray[Any, Any]]) -> str:
-    """Return a number that tells arrays from those with any other name, shape, type or value."""
+    """Return a digest of arrays, which differs if any name, shape, type or value does."""
     hashed = hashlib.sha256()
     for name in sorted(fields):
         array = np.ascontiguousarray(fields[name])
@@ -124,7 +124,7 @@ def _entries(data: bytes, most: int) -> Entries | None:
             if sum(member.file_size for member in archive.infolist()) > most:
                 return None
         with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-            # A member that is no array comes as bytes.
+            # A member that is not an array is returned as bytes.
             return {name: np.asarray(archive[name]) for name in archive.files}
     # A damaged archive can raise anything, from the unpacker's own errors to a MemoryError over a damaged shape.
     except Exception:  # noqa: BLE001

@@ -1,8 +1,8 @@
-"""What is assumed where an input is left out, said of every result that rests on it.
+"""Assumptions made where an input is left out, reported with every result that depends on them.
 
-A field has a mark, `Assumed`, beside its description if a usual value in place of its default moves a headline number
-by more than 5 %: a pressure, an approach or displacement, the load of a roller, a life or the static safety. Features
-of a body that are left out are not there, and no assumptions: bores, corners, profiles.
+A field is marked `Assumed` beside its description if a usual value instead of its default changes a headline number by
+more than 5 %: a pressure, an approach or displacement, the load of a roller, a life or the static safety. A bore,
+corner or profile that is left out does not exist; that is not an assumption.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ _WORDS = "Assumed: {default}. Give {keys} if that is not so: it decides {decides
 
 @dataclass(frozen=True)
 class Assumed:
-    """What stands in place of a field that is left out.
+    """The assumption made where a field is left out.
 
     Attributes
     ----------
     default : str
         The default in words.
     decides : str
-        The headline numbers that it moves.
+        The headline numbers that it changes.
     where : callable
-        Whether it does in an input that has the field; it may rest on what else is given.
+        Whether it changes them in this input; may depend on other fields.
     """
 
     default: str
@@ -38,14 +38,14 @@ class Assumed:
 
 
 def collect_assumptions(parts: Mapping[str, Any], document: Mapping[str, Any] | None = None) -> tuple[Finding, ...]:
-    """Return what is assumed of inputs: the same of several once.
+    """Return the assumptions made in inputs; the same one in several inputs is listed once.
 
     Parameters
     ----------
     parts : mapping of str to Input
         The inputs by their places, such as ``"body.a"``.
     document : mapping, optional
-        What a file holds: what it gives is not assumed, even if it is the default.
+        Contents of a file: a value in it is not assumed, even if it equals the default.
     """
     keys: dict[tuple[str, str], list[str]] = {}
     for place, part in parts.items():
@@ -61,7 +61,7 @@ def collect_assumptions(parts: Mapping[str, Any], document: Mapping[str, Any] | 
 
 
 def restore_assumptions(objects: Iterable[Mapping[str, Any]]) -> tuple[Finding, ...]:
-    """Return what `collect_assumptions` has returned, from what a result file has of it."""
+    """Return the findings of `collect_assumptions` from a result file."""
     return tuple(finding(_KIND, _WORDS, **entry["numbers"]) for entry in objects)
 
 

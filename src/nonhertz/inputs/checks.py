@@ -1,7 +1,7 @@
 """The few conditions that inputs must meet, each with one sentence for the error.
 
 Every number is bounded: no real length, load or modulus comes near the bounds, and within them products, squares and
-quotients of two inputs stay within double precision, so that nothing overflows silently further down.
+quotients of two inputs stay within double precision, so that no later calculation overflows.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ LEAST, MOST = 1e-100, 1e100
 
 
 def above_zero(field: str, value: float, remedy: str) -> None:
-    """Refuse anything but a positive finite number; bounds are left to the caller, who knows better ones."""
+    """Refuse anything but a positive finite number; the caller checks tighter bounds."""
     _number(field, value, remedy)
     if value <= 0.0:
         raise InputError(field, value, "be positive", remedy)
@@ -58,7 +58,7 @@ def not_negative(field: str, value: float, remedy: str) -> None:
 def number_that(
     holds: Callable[[float], bool], condition: str, first: Callable[[str, float, str], object] = finite
 ) -> Callable[[str, float, str], None]:
-    """Return a check that refuses numbers of which something does not hold, beside those that another check refuses."""
+    """Return a check that refuses numbers for which a condition is false or which another check refuses."""
 
     def check(field: str, value: float, remedy: str) -> None:
         first(field, value, remedy)
@@ -130,7 +130,7 @@ def one_of(field: str, value: object, allowed: tuple[str, ...], remedy: str) -> 
 
 
 def thread_count(threads: int | None) -> int:
-    """Return a number of threads, for None that of the cores; refuse anything that is not a whole number above zero."""
+    """Return a number of threads, all cores for None; refuse anything that is not a whole number above zero."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     if isinstance(threads, bool) or not isinstance(threads, Integral) or threads < 1:
@@ -139,14 +139,14 @@ def thread_count(threads: int | None) -> int:
 
 
 def one_line(field: str, value: Any, remedy: str) -> None:
-    """Refuse what is no text, or has control characters or line breaks, which no table, picture or page can show."""
+    """Refuse anything but text without control characters and line breaks, which no table, figure or page can show."""
     text(field, value, "put it in quotes")
     if any(unicodedata.category(character) in {"Cc", "Cs", "Zl", "Zp"} for character in value):
         raise InputError(field, value, "be one line of text without control characters", remedy)
 
 
 def broadcast(remedy: str, *places: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-    """Return arrays broadcast against each other, which cannot be written to, or refuse shapes that cannot be."""
+    """Return arrays broadcast against each other, read-only; refuse shapes that cannot be broadcast."""
     try:
         shape = np.broadcast_shapes(*(place.shape for place in places))
         return tuple(np.broadcast_to(place, shape) for place in places)

@@ -18,20 +18,20 @@ Condition = Callable[[str, Any, str], Any]
 
 
 class Description(Protocol):
-    """What a field holds: stands in ``Annotated`` beside its type.
+    """Description of a field, which stands beside its type in ``Annotated``.
 
-    In all kinds of it ``meaning``, ``condition``, ``remedy`` and ``words`` are as of `Quantity`.
+    ``meaning``, ``condition``, ``remedy`` and ``words`` of all kinds are those of `Quantity`.
     """
 
     @property
     def meaning(self) -> str:
-        """What it is, a clause without a full stop."""
+        """Meaning of the field, a clause without a full stop."""
 
     def validate(self, name: str, value: Any) -> Any:
-        """Return the value to keep of one that is given, or raise `InputError`."""
+        """Return the value to keep for an input, or raise `InputError`."""
 
     def schema(self) -> dict[str, Any]:
-        """Return the JSON schema of its value in a file, but for tables and without its meaning."""
+        """Return the JSON schema of its value in a file, except for tables, without the meaning."""
 
 
 def collect_errors(name: str, entries: Iterable[Any], convert: Callable[[int, Any], Read]) -> list[Read]:
@@ -40,7 +40,7 @@ def collect_errors(name: str, entries: Iterable[Any], convert: Callable[[int, An
     Raises
     ------
     InputsError
-        With the errors of all of them, each in the field of its entry, ``name[1]``.
+        With the errors of all entries, each under the name of its entry, ``name[1]``.
     """
     values: list[Read] = []
     errors: list[InputError] = []
@@ -56,20 +56,20 @@ def collect_errors(name: str, entries: Iterable[Any], convert: Callable[[int, An
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number in a unit; text may give it in another unit, and some words may stand for it.
+    """A number in a unit; as text it may have another unit, and some words may replace it.
 
     Attributes
     ----------
     unit : str
-        As of `nonhertz.inputs.units.to_unit`, ``""`` for a plain number.
+        As in `nonhertz.inputs.units.to_unit`, ``""`` for a plain number.
     meaning : str
-        What it is, a clause without a full stop.
-    condition : callable
+        Meaning of the field, a clause without a full stop.
+        condition : callable
         Its check.
     remedy : str
         What to do about a value that fails it, a clause without a full stop.
     words : mapping of str to object
-        Words in place of the number, and what each means: a text, or what has one as its ``meaning``.
+        Words allowed in place of the number, with their meanings: text, or an object with a ``meaning``.
     """
 
     unit: str
@@ -107,11 +107,11 @@ class OneOrTwo:
     Attributes
     ----------
     item : Quantity
-        What both are.
+        Description of both.
     names : pair of str
-        What tells them apart.
+        What distinguishes them.
     single : int or None
-        Which of the two one alone is; None for both.
+        Which of the two a single value is; None for both.
     """
 
     item: Quantity
@@ -161,14 +161,14 @@ class Quantities:
 
 @dataclass(frozen=True)
 class Word:
-    """A word of a list, or any text that its condition lets pass.
+    """A word from a list, or any text that meets its condition.
 
     Attributes
     ----------
     words : tuple of str
-        The words; none for any text.
+        The allowed words; empty for any text.
     noun : str
-        What the words are, if they are too many for a sentence.
+        Collective name of the words, if they are too many to list in a sentence.
     """
 
     meaning: str
@@ -202,9 +202,9 @@ class Part:
     remedy : str
         How to make one.
     named : mapping
-        Those that a name stands for.
+        Inputs that can be given by name.
     likely : callable or None
-        The class of one whose table in a file gives no kind, by its fields; ``of`` if left out.
+        Returns the class from the fields of a table without a kind; ``of`` if left out.
     """
 
     meaning: str
@@ -214,7 +214,7 @@ class Part:
     likely: Callable[[Mapping[str, Any]], type[Any]] | None = None
 
     def validate(self, name: str, value: Any) -> Any:
-        """Return the input, or that of a name."""
+        """Return the input, looked up if given by name."""
         if self.named and isinstance(value, str):
             if value not in self.named:
                 raise unknown_word_error(name, value, self.of.__name__.lower(), self.named, self.remedy)
@@ -232,7 +232,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Count:
-    """A whole number; some words may stand for it.
+    """A whole number; some words may replace it.
 
     Attributes
     ----------
@@ -288,7 +288,7 @@ class OrFlag:
     Attributes
     ----------
     item : Described
-        What it is otherwise.
+        Description of the other kind.
     """
 
     item: Description
@@ -328,7 +328,7 @@ class Several:
 
     @property
     def meaning(self) -> str:
-        """What they are."""
+        """Meaning of the entries."""
         return self.item.meaning
 
     @property
@@ -349,13 +349,13 @@ class Several:
         return tuple(dict.fromkeys(items) if self.of is None else items)
 
     def schema(self) -> dict[str, Any]:
-        """Return the schema of a list, but for tables in it."""
+        """Return the schema of a list, except for tables in it."""
         return {"type": "array", "minItems": 1} | ({"items": self.item.schema()} if self.of is None else {})
 
 
 @dataclass(frozen=True)
 class Custom:
-    """A value that has a check and a schema of its own.
+    """A value with its own check and schema.
 
     Attributes
     ----------
@@ -382,7 +382,7 @@ KINDS = (Quantity, OneOrTwo, Quantities, Count, Flag, OrFlag, Word, Part, Severa
 
 
 def _validate_word(name: str, value: Any, words: Mapping[str, Any], number: str, remedy: str) -> str:
-    """Return a word of those that may stand for a number."""
+    """Return one of the words that may replace a number."""
     if not isinstance(value, str) or value not in words:
         raise InputError(
             name, value, f"be {'one of ' * (len(words) > 1)}{', '.join(map(repr, words))} or {number}", remedy
@@ -391,9 +391,9 @@ def _validate_word(name: str, value: Any, words: Mapping[str, Any], number: str,
 
 
 def unknown_word_error(field: str, value: object, what: str, known: Iterable[str], otherwise: str = "") -> InputError:
-    """Return the error for a value that is no known word; it suggests the closest.
+    """Return the error for an unknown word; it suggests the closest known one.
 
-    Where none is close it lists all that are known, or says ``otherwise`` where these are too many.
+    Where none is close it lists all known words, or says ``otherwise`` where these are too many.
     """
     known = tuple(known)
     match = nearest(value, known)
@@ -404,7 +404,7 @@ def unknown_word_error(field: str, value: object, what: str, known: Iterable[str
 def unknown_key_error(
     name: str, value: object, known: Iterable[str], noun: str = "key", owner: str = ""
 ) -> UnknownKeyError:
-    """Return the error for a name that is not known; it suggests the closest, or where none is close lists them all."""
+    """Return the error for an unknown name; it suggests the closest known name, or lists all if none is close."""
     known = tuple(known)
     return UnknownKeyError(name, value, nearest(name, known), _list_choices(known), noun, owner)
 
@@ -414,7 +414,7 @@ def _list_choices(known: Iterable[str]) -> str:
 
 
 def describe_field(description: Description) -> str:
-    """Return what describes a field as one clause: meaning, unit, and the words that may stand in its place."""
+    """Return the description of a field as one clause: meaning, unit, and the words allowed in its place."""
     choice = description.item if isinstance(description, OneOrTwo) else description
     unit = getattr(choice, "unit", "")
     words = choice.words if isinstance(choice, Quantity | Count) else {}

@@ -1,10 +1,10 @@
-"""Inputs: frozen dataclasses whose fields say of themselves, once, what they are.
+"""Inputs: frozen dataclasses whose fields are described once, where they are declared.
 
 An input is a frozen dataclass made with `input_class` from `Input`, its fields annotated such as
 ``length: Annotated[float, Quantity("mm", "length along the axis", positive, "give it in mm")]``, see
 `nonhertz.inputs.descriptions`. From these come its checks and its docstring in Python, and in `nonhertz.files` reading,
-writing and the schema of files. What concerns several fields is a method marked with `cross_check`, which names them,
-so that a reader can run it where others are wrong.
+writing and the schema of files. A condition on several fields is a method marked with `cross_check`, which names them,
+so that a file reader can check it even if other fields are wrong.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _NEXT_SECTION = re.compile(r"^[A-Z][a-z]+\n-+$", re.MULTILINE)
 
 
 def cross_check(*names: str) -> Callable[[Method], Method]:
-    """Mark a method that raises `InputError` where these fields do not go together."""
+    """Mark a method that raises `InputError` where these fields are inconsistent."""
 
     def mark(method: Method) -> Method:
         method.checked_fields = frozenset(names)  # type: ignore[attr-defined]
@@ -58,23 +58,23 @@ def cross_check(*names: str) -> Callable[[Method], Method]:
 
 
 class Input:
-    """Base of what is given: checks every field, then those that have to go together.
+    """Base class of inputs: checks every field, then the conditions on several fields.
 
     Attributes
     ----------
     kinds : mapping of str to type
         For an input of several kinds, the class of each by its word in a file.
     meaning_of_kind : str
-        What that word decides.
+        Meaning of that word.
     instead : mapping of str to str
-        Fields that are given in place of others, not beside them.
+        Fields that replace others and cannot be given together with them.
     apart : tuple of tuples of str
-        Groups of fields of which no two are given.
+        Groups of mutually exclusive fields.
     """
 
-    # Made by `input_class`: what describes the fields, by name, and what is assumed where they are left out; which must
-    # be given, and which may be None; the classes of those that hold inputs; and the checks of several fields, those of
-    # a class before those of its bases, each with the names of the fields.
+    # Made by `input_class`: descriptions of the fields by name, and assumptions where they are left out; the required
+    # fields, and those that may be None; the classes of fields that hold inputs; and the checks of several fields, a
+    # class's own before those of its bases, each with the names of the fields.
     descriptions: ClassVar[Mapping[str, Description]] = {}
     assumptions: ClassVar[Mapping[str, Assumed]] = {}
     without_default: ClassVar[frozenset[str]] = frozenset()
@@ -103,17 +103,17 @@ class Input:
 
     @property
     def keywords(self) -> dict[str, Any]:
-        """What is given: keywords of the function that takes such an input."""
+        """Values that are not None, as keywords of a function that takes them."""
         return {name: value for name in self.descriptions if (value := getattr(self, name)) is not None}
 
     @classmethod
     def likely(cls, values: Mapping[str, Any]) -> type[Any]:
-        """Return the class of an input whose table gives no kind, by its values."""
+        """Return the class of an input from the values of a table that gives no kind."""
         return cls
 
     @classmethod
     def unchecked(cls, **values: Any) -> Self:
-        """Return an input of which some fields are known and the others at their defaults, without any check."""
+        """Return an input with these values and defaults elsewhere, without any check."""
         instance = object.__new__(cls)
         for own in dataclasses.fields(cls):  # type: ignore[arg-type]
             object.__setattr__(instance, own.name, values.get(own.name, default_of(own)))
@@ -122,7 +122,7 @@ class Input:
 
 @dataclass_transform(frozen_default=True, field_specifiers=(dataclasses.field,))
 def input_class(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
-    """Return a decorator that makes a frozen dataclass whose docstring has its fields; options as of `dataclass`."""
+    """Return a decorator that makes a frozen dataclass with its fields in its docstring; options as for `dataclass`."""
 
     def decorate(cls: type[Any]) -> type[Any]:
         cls = dataclass(frozen=True, repr=False, **options)(cls)
@@ -153,16 +153,16 @@ def input_class(**options: Any) -> Callable[[type[AnyClass]], type[AnyClass]]:
 
 
 def _first_of(choices: Mapping[str, Iterable[Any]], holds: Callable[[Any], bool]) -> dict[str, Any]:
-    """Return the first of several for which something holds, by name; those of which it holds for none are left out."""
+    """Return for each name the first of its choices for which ``holds`` is true; names without one are left out."""
     firsts = ((name, next(filter(holds, several), None)) for name, several in choices.items())
     return {name: first for name, first in firsts if first is not None}
 
 
 def _resolve_hints(cls: type[Any]) -> dict[str, Any]:
-    """Return the types of the fields of a dataclass with what describes them.
+    """Return the types of the fields of a dataclass with their descriptions.
 
-    `get_type_hints` would evaluate the annotations of `Input` for each of its classes, too, which took half as long as
-    all else that is imported for a first solve.
+    `get_type_hints` would also evaluate the annotations of `Input` for each of its classes, which took half as long as
+    all other imports of a first solve.
     """
     names = {field.name for field in dataclasses.fields(cls)}
     hints: dict[str, Any] = {}
@@ -175,12 +175,12 @@ def _resolve_hints(cls: type[Any]) -> dict[str, Any]:
 
 
 def _strip_descriptions(hints: Mapping[str, Any]) -> dict[str, Any]:
-    """Return types without what describes the fields."""
+    """Return types without the descriptions of the fields."""
     return {name: hint.__origin__ if get_origin(hint) is Annotated else hint for name, hint in hints.items()}
 
 
 def parameters_class(function: Callable[..., Any], base: type[Input] = Input) -> type[Any]:
-    """Return the class of what a function takes, whose parameters are annotated as the fields of an input are."""
+    """Return an input class of a function's parameters, which are annotated like the fields of an input."""
     function = inspect.unwrap(function)
     hints = get_type_hints(function, include_extras=True)
     parameters = inspect.signature(function).parameters.values()
@@ -192,7 +192,7 @@ def parameters_class(function: Callable[..., Any], base: type[Input] = Input) ->
 
 
 def validate_call(function: Callable[P, Result]) -> Callable[P, Result]:
-    """Return a function whose parameters are checked and listed in its docstring by what describes them."""
+    """Return a function whose parameters are checked, and listed in its docstring, by their descriptions."""
     cls = parameters_class(function)
 
     @functools.wraps(function)
@@ -206,7 +206,7 @@ def validate_call(function: Callable[P, Result]) -> Callable[P, Result]:
 
 
 def document_parameters(*classes: type[Input]) -> Callable[[Function], Function]:
-    """Return a decorator that lists fields of inputs in the docstring of a function, where it names these in braces."""
+    """Return a decorator that inserts fields of inputs into a function's docstring, where it names these in braces."""
 
     def insert(function: Function) -> Function:
         text = inspect.cleandoc(function.__doc__ or "")
@@ -221,7 +221,7 @@ def document_parameters(*classes: type[Input]) -> Callable[[Function], Function]
 
 
 def mutually_exclusive_errors(cls: type[Input], provided: Mapping[str, Any]) -> list[InputError]:
-    """Return an error for each field that is given beside one that it takes the place of or rules out."""
+    """Return an error for each field that is given together with one that it replaces or excludes."""
     ruled_out = (pair for group in cls.apart for pair in itertools.combinations(group, 2))
     return [
         InputError(name, provided[name], f"not be given together with {other}", "leave one out")
@@ -231,7 +231,7 @@ def mutually_exclusive_errors(cls: type[Input], provided: Mapping[str, Any]) -> 
 
 
 def short_repr(value: Any) -> str:
-    """Return the call that makes a dataclass as people type it, without what is at its default or not shown."""
+    """Return the call that makes a dataclass as a user would type it, without defaults and hidden fields."""
     values = {
         field.name: (getattr(value, field.name), default_of(field)) for field in dataclasses.fields(value) if field.repr
     }
@@ -240,7 +240,7 @@ def short_repr(value: Any) -> str:
 
 
 def _short(value: Any) -> str:
-    """Return a value as people type it, the ends alone of many."""
+    """Return a value as a user would type it; only the first and last of many."""
     if isinstance(value, tuple) and len(value) > _MOST_SHOWN:
         return f"({_short(value[0])}, ..., {_short(value[-1])})"
     return repr(value).removesuffix(".0") if isinstance(value, float) else repr(value)
@@ -286,14 +286,14 @@ def _name_alternative(kind: Any) -> str:
 
 
 def strip_signature(function: Callable[..., Any], hints: Mapping[str, Any]) -> inspect.Signature:
-    """Return the signature of a function with these types, which do not say what describes its parameters."""
+    """Return the signature of a function with these types, without the descriptions of its parameters."""
     signature = inspect.signature(function)
     plain = [p.replace(annotation=hints.get(p.name, p.annotation)) for p in signature.parameters.values()]
     return signature.replace(parameters=plain, return_annotation=hints.get("return", signature.return_annotation))
 
 
 def _make_constructor(cls: type[Any]) -> Callable[..., None]:
-    """Return the constructor of an input that says which field an unknown one may be, and which are missing."""
+    """Return the constructor of an input, whose errors suggest a field for an unknown name and list missing fields."""
     plain = cls.__init__
     names = [field.name for field in dataclasses.fields(cls) if field.init]
 

@@ -1,6 +1,6 @@
 """Reading files up to a size limit and without blocking.
 
-A path need not lead to a file on disk: a device may be endless, and a pipe may have no writer.
+A path need not lead to a file on disk: a device may be endless and a pipe may have no writer.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def read_bytes(path: str | os.PathLike[str], most: int) -> bytes:
 
 
 def read_input_file(field: str, path: str | os.PathLike[str], most: int) -> tuple[bytes, str]:
-    """Return the contents of a file that is given as a field, and its name as messages show it.
+    """Return the contents of the file named by a field, and its name as messages show it.
 
     Raises
     ------

@@ -1,9 +1,9 @@
-"""Quantities as people write them: from a number, or text such as ``"0.5 mrad"``, to a number in the base units.
+"""Quantities as users write them: a number, or text such as ``"0.5 mrad"``, converted to a number in base units.
 
-Everything inside the package is in mm, N, MPa and rad, speeds in 1/min. Only this module knows other units: those that
-most files are written in by itself, all others by pint, which takes a third of a second to import and so waits for one.
-Text is parsed here and pint sees only the unit, because pint's own parser evaluates arithmetic and would
-happily work for hours on ``"9**9**9 mm"``.
+Everything inside the package is in mm, N, MPa and rad, speeds in 1/min. Only this module knows other units: the most
+common ones itself, all others through pint, which takes a third of a second to import and is imported only for those.
+Text is parsed here and pint gets only the unit, because pint's own parser evaluates arithmetic and would work for hours
+on ``"9**9**9 mm"``.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _QUANTITY = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*", re.DOTALL)
 _FACTOR = r"(?:[A-Za-zµμ°%]+(?:(?:\^|\*\*)?-?[1-9]|[²³])?)"
 _UNIT = re.compile(rf"(?:1\s*/\s*|/\s*)?{_FACTOR}(?:(?:\s*[*·/]\s*|\s+){_FACTOR})*")
-# The slope of a line as drawings write it: so much on so much.
+# The slope of a line as on drawings: a rise over a length.
 _SLOPE = re.compile(rf"\s*({_NUMBER})\s*({_FACTOR})\s*/\s*(?:({_NUMBER})\s*)?({_FACTOR})\s*")
 _DECIMAL_COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _LONGEST = 40
-# How many of a unit make one of another as most files write it: what pint says of them, to the last bit.
+# Factors of the most common units, equal to pint's to the last bit.
 _KNOWN = {
     "mm": {"mm": 1.0, "um": 1e-3, "µm": 1e-3, "m": 1e3},
     "N": {"N": 1.0, "kN": 1e3},
@@ -50,7 +50,7 @@ _KNOWN = {
     "1/min": {"1/min": 1.0, "rpm": 1.0},
     "mm^2/s": {"mm^2/s": 1.0},
 }
-# What is meant by the same letters in another case, and by a mass that is given for a force.
+# Units probably meant by the same letters in another case, or by a mass given for a force.
 _USUAL = (
     "N", "kN", "MN", "N m", "Nm", "N mm", "Nmm", "kN m", "MPa", "GPa", "mm", "um", "rad", "mrad", "deg", "Hz", "rpm",
     "Msi", "psi", "cSt",
@@ -58,11 +58,11 @@ _USUAL = (
 _TONS = ("tonf", "ton", "tons")  # 1000 kgf, 2000 lbf or 2240 lbf
 _USUAL_DENSITY = 0.87  # g/cm^3, of mineral oil
 _MEANT = {unit.lower(): unit for unit in _USUAL} | {"lb": "lbf", "lbs": "lbf", "kg": "kgf", "t": "tf"}
-# To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments. "mPas" is on those of oils.
+# To pint "Nm" is a measure of yarn and "Nmm" is unknown; on drawings both are moments. "mPas" is used for oils.
 _RUN_TOGETHER = re.compile(r"\b(?:([kM]?N)(?=(?:m|cm|mm)\b)|(m?Pa)(?=s\b))")
-# Turns as ISO writes them; pint knows neither.
+# Revolutions as ISO writes them; pint knows neither.
 _TURN = re.compile(r"\br(?:ev)?\b")
-# A thousandth of an inch; to pint one of three angles of gunners.
+# A thousandth of an inch; to pint one of three angular mils.
 _MIL = re.compile(r"\bmils?\b")
 _BARE_EXPONENT = re.compile(r"(?<=[A-Za-zµμ])(-?\d)")
 
@@ -88,7 +88,7 @@ def to_unit(field: str, value: Any, unit: str) -> Any:
         Name of the input, for the message.
     value : object
         A number, already in ``unit``, or text with a number and a unit. An angle may also be text of one length over
-        another, its tangent. Anything else is returned unchanged, for the model to reject in its own wording.
+        another, its tangent. Anything else is returned unchanged; the model refuses it in its own words.
     unit : str
         ``"mm"``, ``"N"``, ``"MPa"``, ``"1/MPa"``, ``"rad"``, ``"N mm"``, ``"1/min"``, ``"mm^2/s"``, ``"t/mm^3"``, or
         ``""`` for a plain number.
@@ -102,7 +102,7 @@ def to_unit(field: str, value: Any, unit: str) -> Any:
     ------
     InputError
         If the text is not a quantity, or has no unit or one of another dimension. A number in quotes without a unit
-        is refused too: quotes suggest that a unit was meant, and a wrong guess would go unnoticed.
+        is also refused: quotes suggest that a unit was meant, and a wrong guess would go unnoticed.
 
     Examples
     --------
@@ -174,13 +174,13 @@ def _convert(field: str, text: str, unit: str) -> float:
             with contextlib.suppress(ValueError):
                 kinematic = _times(number, _factor(written, "mPa s")) / _USUAL_DENSITY
                 condition = "be a kinematic viscosity"
-                remedy = f"divide by the oil's density, of which {_USUAL_DENSITY} g/cm^3 makes '{kinematic:.4g} mm^2/s'"
+                remedy = f"divide by the oil's density: {_USUAL_DENSITY} g/cm^3 would give '{kinematic:.4g} mm^2/s'"
         raise InputError(field, text, condition, remedy) from None
     return _times(number, factor)
 
 
 def _slope(field: str, text: str) -> float | None:
-    """Return the ratio of two lengths that a text divides; None if it is no such text."""
+    """Return the ratio of two lengths written as a quotient; None if the text is not one."""
     taken_apart = _SLOPE.fullmatch(text)
     if taken_apart is None:
         return None
@@ -190,19 +190,19 @@ def _slope(field: str, text: str) -> float | None:
     except ValueError:  # not lengths
         return None
     if length <= 0.0:
-        raise InputError(field, text, "divide by a length above zero", "write a rise over the length that it takes")
+        raise InputError(field, text, "divide by a length above zero", "write a rise over a length")
     return height / length
 
 
 def _times(number: float, factor: float) -> float:
-    # Dividing where the factor is below one gives exactly 0.0001 for "0.1 um", which multiplying does not.
+    # Dividing where the factor is below one gives exactly 0.0001 for "0.1 um"; multiplying would not.
     inverse = 1.0 / factor
     return number / round(inverse) if factor < 1.0 and round(inverse) * factor == 1.0 else number * factor
 
 
 @functools.lru_cache(maxsize=256)
 def _factor(written: str, unit: str) -> float:
-    """Return how many ``unit`` make one ``written``; the text of a ValueError says what the quantity must do."""
+    """Return how many ``unit`` make one ``written``; a ValueError holds the condition that the quantity must meet."""
     if written in _KNOWN.get(unit, ()):
         return _KNOWN[unit][written]
     if len(written) > _LONGEST or _UNIT.fullmatch(written) is None:
@@ -219,11 +219,11 @@ def _factor(written: str, unit: str) -> float:
         spelled = _TURN.sub("turn", spelled)
     try:
         quantity = _registry().Quantity(1.0, _registry().parse_units(spelled))
-        # To pint an angle is a number, and 1/min are radians: turns are converted to turns.
+        # To pint an angle is a number and 1/min means radians per minute: revolutions are converted to revolutions.
         turning = unit == "1/min" and "radian" in str(quantity.to_root_units().units)
         unit_there = "turn/min" if turning else unit
         factor = float(quantity.to(unit_there).magnitude)
-        # Degrees Celsius and decibels convert, but not by a factor.
+        # Degrees Celsius and decibels cannot be converted by a factor.
         linear = math.isclose(float((2.0 * quantity).to(unit_there).magnitude), 2.0 * factor)
     except pint.UndefinedUnitError:
         raise ValueError("have a known unit") from None

@@ -1,7 +1,7 @@
 """Rolling-contact fatigue life from the stress below a solved contact.
 
-`assess` returns how long a body lasts by several models, relative to the same bodies under an ideal pressure and, where
-a standard gives a capacity, in revolutions; `solve_spectrum` solves a contact under a list of loads for it. Models are
+`assess` returns the life of a body by several models, relative to the same bodies under an ideal pressure and, where a
+standard gives a capacity, in revolutions; `solve_spectrum` solves a contact under a list of loads for it. Models are
 made by name with `model`, or by their functions: `lundberg_palmgren`, `ioannides_harris`, `zaretsky`, `weibull` and
 `iso_16281`.
 """

@@ -1,11 +1,11 @@
 """From solved contacts to lives by the chosen models.
 
-Lives are relative to that of the same bodies under an ideal pressure, Hertz's line contact with the same load per unit
-length from end to end. Absolute lives are given where a standard has a capacity: for rollers in cylindrical rings, and
-for tapered ones whose contact angle is known.
+Lives are relative to that of the same bodies under an ideal pressure, Hertz's line contact with a uniform load per unit
+length. Absolute lives are given where a standard has a capacity: for rollers in cylindrical rings, and for tapered
+rollers whose contact angle is known.
 
-Under a spectrum, with the share u_i of the revolutions under the load i, damage accumulates by the Palmgren-Miner rule,
-1 / L = sum u_i / L_i.
+Under a spectrum, with the fraction u_i of the revolutions under the load i, damage accumulates by the Palmgren-Miner
+rule, 1 / L = sum u_i / L_i.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _ROLLERS_REMEDY = "give the number of rollers in the bearing"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Life(HasFindings, ReadOnly, HasHtml):
-    """How long one body of a contact lasts, by one model.
+    """Fatigue life of one body of a contact by one model.
 
     Attributes
     ----------
@@ -60,15 +60,15 @@ class Life(HasFindings, ReadOnly, HasHtml):
     damage : float
         The integral of the model over a cross-section of the stressed volume [MPa^k mm^(2-h)], or the sum over laminae
         of (f q / q_c)^(9/2) [-] for one roller; under a spectrum, that of the constant load with the same life. The
-        ratio of the lives of two contacts is that of their damages to the power -1/e, for raceways of the same length
-        and number of rollers.
+        ratio of the lives of two contacts is the ratio of their damages to the power -1/e, for raceways of the same
+        length and number of rollers.
     reference : float
         The same under the ideal pressure; NaN where the bodies can touch over an unlimited length.
     million_revolutions : float or None
         L_10 [10^6 revolutions of the ring, all rollers passing under this load], with 90 % reliability. None for the
-        roller, without a number of rollers, where no standard gives a capacity, or towards a sharp end.
+        roller, without a number of rollers, where no standard gives a capacity, or at a sharp end.
     unrated : Finding or None
-        Why there is no absolute life; empty if there is one.
+        Reason why there is no absolute life; None if there is one.
     raceway : Raceway or None
         The ring under the roller, if the contact is of a ring and a roller.
     y : ndarray, shape (stations,)
@@ -76,7 +76,7 @@ class Life(HasFindings, ReadOnly, HasHtml):
     density : ndarray, shape (stations,)
         Damage per length at each station over the mean of the reference [-]; 1 under the ideal pressure.
     findings : tuple of Finding
-        What limits the validity of the result.
+        Limits of the validity of the result.
     """
 
     model: Model
@@ -104,14 +104,14 @@ class Life(HasFindings, ReadOnly, HasHtml):
 
     @property
     def no_revolutions(self) -> str:
-        """Why there is no life in revolutions; empty if there is one."""
+        """Reason why there is no life in revolutions; empty if there is one."""
         return "" if self.unrated is None else str(self.unrated)
 
     @property
     def relative_life(self) -> float:
-        """Life over that under the ideal pressure [-].
+        """Life over the life under the ideal pressure [-].
 
-        Infinite without damage; NaN without a reference, or where neither pressure does any damage.
+        Infinite without damage; NaN without a reference, or where neither pressure causes damage.
         """
         return ratio(self.reference, self.damage, self.model.slope)
 
@@ -128,7 +128,7 @@ class Life(HasFindings, ReadOnly, HasHtml):
         if not isinstance(other, Life) or self.model != other.model:
             remedy = "compare lives by one model with the same parameters"
             named = getattr(getattr(other, "model", other), "name", other)
-            raise InputError("other", named, f"be by the model {self.model.name} too", remedy)
+            raise InputError("other", named, f"be by the model {self.model.name}", remedy)
         if isinstance(self.model, LaminaModel) and (self.raceway is None) != (other.raceway is None):
             return math.nan
         return ratio(other.damage, self.damage, self.model.slope)
@@ -150,14 +150,14 @@ def assess(
     contact_angle: float | None = None,
     **options: Unpack[Running],
 ) -> tuple[Life, ...]:
-    """Return how long one body of a contact lasts, by several models.
+    """Return the fatigue life of one body of a contact by several models.
 
     Parameters
     ----------
     solution : Solution or PatchSolution, or several of them with shares
         A solved contact, or a spectrum: pairs of a solution and its share of the revolutions; see
-        `nonhertz.life.solve_spectrum`. Where the shares add up to less than 1, nothing is loaded for the rest, as with
-        rollers outside the load zone.
+        `nonhertz.life.solve_spectrum`. Where the shares add up to less than 1, the contact is unloaded for the rest,
+        like rollers outside the load zone.
     models : model or name, or several
         See `nonhertz.life.MODELS`; all of them, with default parameters, if left out.
     body : {"a", "b"}
@@ -165,7 +165,7 @@ def assess(
     rollers : int, optional
         Number of rollers in the bearing, for absolute lives.
     contact_angle : float, optional
-        That of the bearing [rad], without which tapered rollers have no absolute life; see `nonhertz.life.raceway`.
+        Contact angle of the bearing [rad], required for absolute lives of tapered rollers; see `nonhertz.life.raceway`.
     **options
         ``threads`` and ``callback`` as in `nonhertz.subsurface.stress`.
 
@@ -181,12 +181,12 @@ def assess(
 
     Notes
     -----
-    Absolute lives are those of the capacities of ISO 281, which include b_m = 1.1 and are free of the factor 0.83
-    (lambda nu) that lowers the load rating of a bearing for line loads that are not even.
+    Absolute lives follow from the capacities of ISO 281, which include b_m = 1.1 but not the factor 0.83 (lambda nu)
+    that lowers the load rating of a bearing for uneven line loads.
 
-    Compared with grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. Towards a
-    sharp end, or a corner of the profile where the contact ends, the damage is unbounded by every model; the volume
-    nearer than a tenth of the largest half-width is then left out, and a warning says so.
+    Compared with grids four times as fine, relative lives are within 0.5 % where the pressure is smooth. At a sharp
+    end, or a corner of the profile where the contact ends, the damage is unbounded by every model; the volume within a
+    tenth of the largest half-width of it is then left out, and a warning says so.
 
     Examples
     --------
@@ -210,7 +210,7 @@ def assess(
 
 
 class _Bearing(NamedTuple):
-    """What is known of the bearing: the ring or why there is none, how many rollers, and the body that fatigues."""
+    """Data of the bearing: the ring or the reason why there is none, the number of rollers, and the body assessed."""
 
     ring: Raceway | None
     why: str
@@ -247,7 +247,7 @@ def _spectrum(solution: Solved | Spectrum) -> Spectrum:
 
 
 class _Damage(NamedTuple):
-    """What one load does: damage, that under the ideal pressure, damage per length along y, and what limits it."""
+    """Damage by one load: in total, under the ideal pressure, and per length along y, with limits of its validity."""
 
     total: float
     ideal: float
@@ -266,7 +266,7 @@ def _damage_in_volume(chosen: VolumeModel, solution: Solved, exposed: Exposure) 
 def _damage_of_laminae(chosen: LaminaModel, solution: Solved, ring: Raceway | None) -> _Damage:
     laminae = laminae_of(solution, chosen)
     edges = laminae.edges
-    # Without a ring the capacity depends on the length alone.
+    # Without a ring the capacity depends only on the length.
     capacity = ring.capacity(1) if ring is not None else float(edges[-1] - edges[0]) ** (7.0 / 9.0)
     damages = laminae.damage(capacity)
     ideal = (solution.load / capacity) ** EXPONENT
@@ -311,48 +311,48 @@ def _assess_model(chosen: Model, spectrum: Spectrum, exposures: list[Exposure], 
 
 
 def _towards_ends(solutions: Sequence[Solved], ends: set[SingularEnd]) -> Iterator[Finding]:
-    """Yield what singular ends do to the damage, if there are any."""
+    """Yield findings on the effect of singular ends on the damage, if there are any."""
     if not ends:
         return
     nearer = f"nearer to {'them' if len(ends) > 1 else 'it'}"
     yield finding(
         "damage-at-ends",
-        f"The damage grows without limit towards {{ends}}: {nearer} than {{left_out:g}} of the largest half-width "
-        "nothing was counted, so the life is an upper bound, even above 1.",
+        f"The damage grows without limit towards {{ends}}: the volume {nearer} than {{left_out:g}} of the largest "
+        "half-width was left out, so the life is an upper bound, even above 1.",
         ends=ends_in_words(ends),
         left_out=LEFT_OUT,
     )
     if any(_is_coarse(solution, end) for solution in solutions for end in solution.singular_ends):
         what = "a corner" if all(end.kind is EdgeKind.CORNER for end in ends) else "a sharp end"
-        words = f"The strips or cells at {what} are longer than what was left out: use finer ones."
+        words = f"The strips or cells at {what} are longer than the region left out: use finer ones."
         yield finding("coarse-at-ends", words)
     if any(np.ptp(outermost(solution)) < SHORT * solution.max_half_width for solution in solutions):
         words = (
-            "The contact is shorter than {shortest:g} half-widths between its ends: hardly anything is left to count."
+            "The contact is shorter than {shortest:g} half-widths between its ends: hardly any volume is left to count."
         )
         yield finding("short-contact", words, shortest=SHORT)
 
 
 def _is_coarse(solution: Solved, end: SingularEnd) -> bool:
-    """Return whether the strip or row at an end is longer than what is left out there."""
+    """Return whether the strip or row at an end is longer than the region left out there."""
     return step_at(solution, end) > LEFT_OUT * solution.max_half_width
 
 
 def _over(density: Array, mean: float) -> Array:
-    """Return densities over a mean; NaN where there is none, infinite where it is zero."""
+    """Return densities over a mean; NaN where the mean is unknown, infinite where it is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return density / mean
 
 
 def _why_unrated(chosen: Model, bearing: _Bearing, ends: set[SingularEnd]) -> Finding | None:
-    """Return why a model gives no life in revolutions for a body, under loads that may reach singular ends."""
+    """Return the reason why a model gives no life in revolutions for a body, or None."""
     ring, why, rollers, body = bearing
     if why:
         return Finding.from_text(why)
     if chosen.name not in RATED:
         return Finding.from_text(f"{chosen.name} has no capacity of its own")
     if isinstance(chosen, VolumeModel) and chosen != lundberg_palmgren():
-        return Finding.from_text("the capacity of ISO 281 belongs to the slope 9/8 and the usual exponents")
+        return Finding.from_text("the capacity of ISO 281 holds for the slope 9/8 and the usual exponents")
     if ring is not None and ring.body != body:
         return Finding.from_text(f"the capacity is that of the ring, body {ring.body}")
     if rollers is None:

@@ -1,4 +1,4 @@
-"""The load that a raceway carries for a million revolutions, after Lundberg and Palmgren as in ISO 281.
+"""Dynamic capacity of a raceway, its load for a life of a million revolutions, after Lundberg and Palmgren and ISO 281.
 
 For a radial bearing with Z rollers of diameter D and effective length L on the pitch diameter D_pw, with the contact
 angle alpha and gamma = D cos(alpha) / D_pw,
@@ -8,9 +8,9 @@ angle alpha and gamma = D cos(alpha) / D_pw,
     Q_ci = C_r / (0.83 * 0.378 Z cos alpha) {1 + [1.038 g]^(9/2)}^(2/9)    g = ((1 - gamma) / (1 + gamma))^(143/108)
     Q_ce = C_r / (0.83 * 0.364 Z cos alpha) {1 + [1.038 g]^(-9/2)}^(2/9)
 
-In a bearing of i equal rows, i L stands for L in C_r, and the capacities are those of a single row: C_r is divided by
-i^(7/9) as well. 0.83 is lambda nu, the reduction of the load rating for line loads that are not even, which is taken
-out of the capacities again: laminae know of uneven loads themselves. 1.1 is b_m, for cylindrical and tapered roller
+In a bearing of i equal rows, i L replaces L in C_r, and the capacities are those of a single row: C_r is also divided
+by i^(7/9). 0.83 is lambda nu, the reduction of the load rating for uneven line loads. It is not part of the
+capacities: laminae have their own, uneven loads. 1.1 is b_m, for cylindrical and tapered roller
 bearings and needle rollers in machined rings; the standard has 1.0 for drawn cups and 1.15 for spherical roller
 bearings.
 
@@ -20,7 +20,7 @@ For a thrust bearing whose rollers lie square to the axis, gamma = D / D_pw and
 
 where 0.73 is lambda, and 0.85 is eta = 1 - 0.15 sin(alpha).
 
-docs/explain/standards.md says which of these formulas were found in how many sources.
+docs/explain/standards.md lists the sources in which each of these formulas was found.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ REDUCTION = 0.83  # lambda nu: reduces the load rating for uneven line loads; no
 _OF_THRUST, THRUST_REDUCTION, _INCLINED = 472.45388, 0.73, 0.85  # N, lambda, eta
 SAME = 1e-9
 ANGLE_REMEDY, _MOST_ANGLE = "give it in rad, for a radial bearing: 45 degrees at most", math.radians(45.0)
-_NO_ROLLER = "neither of the bodies is a roller that ends"
+_NO_ROLLER = "neither of the bodies is a roller of finite length"
 _DIAMETER_EXPONENT, _LENGTH_EXPONENT = 29.0 / 27.0, 7.0 / 9.0
 
 
-#: No radial bearing has another contact angle.
+#: Contact angles of radial bearings.
 contact_angle_at_most = number_that(
     lambda angle: angle <= _MOST_ANGLE, f"not exceed {_MOST_ANGLE:.4g} rad", not_negative
 )
@@ -64,9 +64,9 @@ class Raceway(Input):
         float,
         Quantity(
             "mm",
-            "length on which roller and ring can touch, without corners and chamfers",
+            "length over which roller and ring can touch, without corners and chamfers",
             positive,
-            "give the length on which roller and ring can touch in mm",
+            "give the length over which roller and ring can touch in mm",
         ),
     ]
     pitch_diameter: Annotated[
@@ -80,7 +80,7 @@ class Raceway(Input):
     ]
     inner: Annotated[bool, Flag("whether it is an inner ring", "write True for an inner ring, False for an outer one")]
     body: Annotated[
-        BodyName, Word("which of the bodies of a contact is the ring", "name the body that is the ring", BODIES)
+        BodyName, Word("the body of the contact that is the ring", "name the body that is the ring", BODIES)
     ] = "b"
     contact_angle: Annotated[float, Quantity("rad", "contact angle", contact_angle_at_most, ANGLE_REMEDY)] = 0.0
 
@@ -131,7 +131,7 @@ class Raceway(Input):
         Parameters
         ----------
         rollers : int
-            Number of rollers in the bearing, which all pass in one revolution.
+            Number of rollers in the bearing.
 
         Examples
         --------
@@ -143,7 +143,7 @@ class Raceway(Input):
         return self.capacity_of(self.load_rating(rollers), rollers)
 
     def capacity_of(self, load_rating: float, rollers: int, *, rows: int = 1) -> float:
-        """Return the same for a load rating C_r [N] of one's own, a catalogue's say, of a bearing of equal rows.
+        """Return the same from a given load rating C_r [N], such as a catalogue's, for a bearing of equal rows.
 
         Examples
         --------
@@ -195,7 +195,7 @@ def thrust_capacity(load_rating: float, rollers: int) -> float:
 
 
 def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Raceway | None, str]:
-    """Return the ring of a contact under its roller, or None and why there is none.
+    """Return the ring of a contact under its roller, or None and the reason why there is none.
 
     The ring is the body that is a `Ring`; if neither or both are, the concave or larger of those that are not a
     `Roller`.
@@ -205,13 +205,13 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
     contact : Contact
         Roller and ring in the plane of their common generator.
     contact_angle : float, optional
-        That of the bearing, which is the angle between the normal of the outer raceway and the radial plane [rad].
-        Without it tapered rollers have no raceway, and cylindrical ones that of a radial bearing.
+        Contact angle of the bearing: the angle between the normal of the outer raceway and the radial plane [rad].
+        Without it tapered rollers have no raceway, and cylindrical rollers that of a radial bearing.
 
     Notes
     -----
-    Diameters in a contact are those square to the generator, so that the rollers' middles are on a circle of the
-    diameter (D_ring + D) cos(alpha) about an inner ring, (abs(D_ring) - D) cos(alpha) within an outer one. At the inner
+    Diameters in a contact are measured square to the generator, so that the rollers' centres lie on a circle of
+    diameter (D_ring + D) cos(alpha) for an inner ring, (abs(D_ring) - D) cos(alpha) for an outer ring. At the inner
     ring of a tapered bearing alpha is smaller by the angle of the rollers' cone.
     """
     if not isinstance(contact, Contact):
@@ -234,8 +234,8 @@ def raceway(contact: Contact, *, contact_angle: float | None = None) -> tuple[Ra
 def of_rolling_bearing(contact: Contact) -> bool:
     """Return whether both bodies are parts of a rolling bearing: rollers, rings or washers of bearing steel.
 
-    For a wheel on a rail or for gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile means
-    anything.
+    For a wheel on a rail or for gear teeth, neither the life of ISO 281 nor its ratio to that of an ideal profile is
+    meaningful.
     """
     return all(isinstance(body, Roller | Ring | Plate) and is_steel(body.material) for body in contact.bodies.values())
 
@@ -244,11 +244,11 @@ def _why_unrated(contact: Contact, tapered: bool) -> str:
     bodies = contact.bodies.values()
     reasons = {
         "L10 is known only for a roller on a ring": any(body.diameter is None for body in bodies),
-        "a tapered roller has an L10 only with the contact angle of its bearing: give contact_angle": (
+        "L10 of a tapered roller needs the contact angle of its bearing: give contact_angle": (
             not tapered and any(callable(body.diameter) for body in bodies)
         ),
-        "the capacity of ISO 281 is that of bearing steel": not all(is_steel(body.material) for body in bodies),
-        "the capacity of ISO 281 is that of solid rollers": any(is_hollow(body) for body in bodies),
+        "the capacity of ISO 281 holds only for bearing steel": not all(is_steel(body.material) for body in bodies),
+        "the capacity of ISO 281 holds only for solid rollers": any(is_hollow(body) for body in bodies),
         _NO_ROLLER: not np.all(np.isfinite(contact.interval)),
         "neither of the bodies is a ring; give one of them kind = 'ring'": all(
             isinstance(body, Roller) for body in bodies
@@ -262,7 +262,7 @@ def _raceway(
 ) -> tuple[Raceway | None, str]:
     low, high = interval
     cone = _cone(roller, interval)
-    # Square to its generator a cone is wider than square to its axis.
+    # The diameter of a cone square to its generator is larger than that square to its axis.
     diameter = _diameter(roller, 0.5 * (low + high)) * math.cos(cone)
     if diameter <= 0.0:
         return None, _NO_ROLLER
@@ -280,7 +280,7 @@ def _diameter(body: Body, y: float) -> float:
 
 
 def _cone(roller: Body, interval: tuple[float, float]) -> float:
-    """Return half of the angle at the tip of a roller's cone [rad], from how its diameter changes square to it."""
+    """Return half of the cone angle of a roller [rad], from the change of its diameter square to the generator."""
     low, high = interval
     slope = 0.5 * abs(_diameter(roller, high) - _diameter(roller, low)) / (high - low)
     # sin(c) / cos(c)^2 is the slope.

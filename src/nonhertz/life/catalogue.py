@@ -5,8 +5,8 @@ All of them give the probability S that a volume V survives N passes of the load
     ln(1/S) ~ N^e int <s - s_u>^k / z^h dV
 
 s is the stress at a point at depth z over a pass, s_u a limit below which it does no damage. At a fixed probability the
-life is proportional to the integral to the power -1/e, so that lives are compared without the constant in front, which
-is unknown. The models differ in s, k, h and s_u.
+life is proportional to the integral to the power -1/e, so that lives are compared without the unknown constant of
+proportionality. The models differ in s, k, h and s_u.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.life.lamina import LaminaModel, iso_16281
 
 LINE_CONTACT_SLOPE = 9.0 / 8.0
-SLOPES = 0.2, 5.0  # far beyond any measured value; the powers stay within double precision
+SLOPES = 0.2, 5.0  # far beyond any measured value; powers stay within double precision
 MOST_EXPONENT = 60.0
 STRESSES = ("orthogonal_shear", "shear", "von_mises")
 
 _EXPONENT_REMEDY, SLOPE_REMEDY = "give a positive number", "give Weibull's slope, 9/8 for line contacts"
 
 
-#: No bearing has another slope.
+#: Weibull slopes of bearings.
 weibull_slope = number_that(
     lambda slope: SLOPES[0] <= slope <= SLOPES[1], f"lie between {SLOPES[0]:g} and {SLOPES[1]:g}", positive
 )
@@ -38,7 +38,7 @@ _exponent = number_that(lambda value: value <= MOST_EXPONENT, f"not exceed {MOST
 
 @input_class()
 class VolumeModel(Input):
-    """A fatigue model that is an integral over the stressed volume, as made by the functions of this module."""
+    """A fatigue model as an integral over the stressed volume, made by the functions of this module."""
 
     name: Annotated[str, Word("the name that files and commands use", "give the name of the model", condition=text)]
     stress: Annotated[
@@ -46,7 +46,7 @@ class VolumeModel(Input):
         Word(
             "'orthogonal_shear' (half its range over a pass where the field is symmetric), 'shear' (maximum shear) or "
             "'von_mises', the largest over a pass",
-            "choose what makes the material fatigue",
+            "choose the stress that causes fatigue",
             STRESSES,
         ),
     ]
@@ -56,24 +56,24 @@ class VolumeModel(Input):
     ]
     slope: Annotated[float, Quantity("", "e of Weibull's distribution", weibull_slope, SLOPE_REMEDY)]
     fatigue_limit: Annotated[float, Quantity("MPa", "s_u", not_negative, "give a limit in MPa, 0 for none")]
-    source: Annotated[str, Word("where it was published", "say where it has been published", condition=text)]
+    source: Annotated[str, Word("where it was published", "give its publication", condition=text)]
 
     @cross_check("stress", "exponent", "depth_exponent")
     def _check_surface(self) -> None:
         if self.depth_exponent >= 1.0 and self.stress != "orthogonal_shear":
             condition = "be 'orthogonal_shear' where depth_exponent is 1 or more"
-            remedy = "other stresses do not vanish on the surface, and the integral has no limit there"
+            remedy = "other stresses do not vanish on the surface, where the integral diverges"
             raise InputError("stress", self.stress, condition, remedy)
         # Just below the surface orthogonal shear vanishes at least as fast as the square root of the depth.
         if self.depth_exponent >= 1.0 and 0.5 * self.exponent <= self.depth_exponent - 1.0:
-            condition = f"be less than {1.0 + 0.5 * self.exponent:g}, or the integral has no limit at the surface"
+            condition = f"be less than {1.0 + 0.5 * self.exponent:g}, or the integral diverges at the surface"
             raise InputError("depth_exponent", self.depth_exponent, condition, "give 7/3, or a larger stress exponent")
 
 
 def lundberg_palmgren(
     *, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, depth_exponent: float = 7.0 / 3.0
 ) -> VolumeModel:
-    """Return the model of Lundberg and Palmgren: orthogonal shear, and depth is beneficial.
+    """Return the model of Lundberg and Palmgren: orthogonal shear, less severe at larger depth.
 
     Parameters
     ----------
@@ -84,9 +84,9 @@ def lundberg_palmgren(
 
     Notes
     -----
-    Lundberg and Palmgren took the largest stress and its depth for the whole volume; here, as with Ioannides and
-    Harris, every point counts with its own. The exponents of load and length are the same: in a uniform line contact
-    life is proportional to the load to the power -(c - h + 1) / (2 e), which is -4.
+    Lundberg and Palmgren used the largest stress and its depth for the whole volume; here, as with Ioannides and
+    Harris, every point has its own. The exponents of load and length are the same: in a uniform line contact life is
+    proportional to the load to the power -(c - h + 1) / (2 e), which is -4.
 
     References
     ----------
@@ -105,17 +105,17 @@ def ioannides_harris(
     depth_exponent: float = 7.0 / 3.0,
     stress: str = "orthogonal_shear",
 ) -> VolumeModel:
-    """Return the model of Ioannides and Harris: that of Lundberg and Palmgren with a fatigue limit.
+    """Return the model of Ioannides and Harris: Lundberg and Palmgren's with a fatigue limit.
 
     Parameters
     ----------
     fatigue_limit : float
         s_u [MPa], for the amplitude of the orthogonal shear stress unless ``stress`` is another: 360 is used for
-        bearing steel, and corresponds to a Hertz pressure of about 1500 MPa. Some hold that there is no such limit.
+        bearing steel, and corresponds to a Hertz pressure of about 1500 MPa. The existence of a limit is disputed.
     slope, exponent, depth_exponent : float
         e, c and h [-].
     stress : str
-        What makes the material fatigue; any other than orthogonal shear needs a ``depth_exponent`` below 1.
+        The stress that causes fatigue; any other than orthogonal shear needs a ``depth_exponent`` below 1.
 
     References
     ----------
@@ -136,9 +136,9 @@ def zaretsky(
     slope : float
         e [-].
     stress_life_exponent : float
-        c [-]; the integrand is the stress to the power c e, so that life varies with the power c whatever the slope.
-    stress : str
-        What makes the material fatigue.
+        c [-]; the integrand is the stress to the power c e, so that life varies with the power c for any slope.
+        stress : str
+            The stress that causes fatigue.
 
     References
     ----------
@@ -159,8 +159,8 @@ def weibull(*, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, 
         e [-].
     exponent : float
         c [-].
-    stress : str
-        What makes the material fatigue.
+        stress : str
+            The stress that causes fatigue.
 
     References
     ----------
@@ -172,10 +172,10 @@ def weibull(*, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, 
 
 Model = VolumeModel | LaminaModel
 
-#: The models with a capacity, and so a life in revolutions.
+#: The models with a capacity, which give a life in revolutions.
 RATED = ("lundberg-palmgren", "iso-16281")
 
-#: How each model is made, by its name.
+#: Functions that make each model, by its name.
 MODELS: dict[str, Callable[..., Model]] = {
     "lundberg-palmgren": lundberg_palmgren,
     "ioannides-harris": ioannides_harris,

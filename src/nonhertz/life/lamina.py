@@ -6,8 +6,8 @@ and the life of the contact is
     L_10 = { sum_k (f_k q_k / q_c)^(9/2) }^(-8/9)
 
 million revolutions. f_k expresses how much more severely the edge of a roller is stressed than its line load suggests.
-From actual pressures it is the line load that would have such a pressure in Hertz's line contact, over that of the
-lamina; what the standard offers where they are unknown,
+If pressures are known, it is the line load of Hertz's line contact with the same pressure over the line load of the
+lamina; the standard's formula for unknown pressures,
 
     f_k = 1 - 0.01 / ln(1.985 |(2 k - n_s - 1) / (2 n_s - 2)|),
 
@@ -36,34 +36,34 @@ FEWEST, MOST = 30, 2000
 SLOPE, EXPONENT = 9.0 / 8.0, 4.5
 EDGE_STRESS = ("pressure", "standard", "none")
 LINE_LOADS = ("solution", "standard")
-LEFT_OUT = 0.1  # around an end where the pressure has no limit, of the largest half-width
+LEFT_OUT = 0.1  # of the largest half-width, around an end where the pressure is singular
 _OF_STEEL = 2.0 * STEEL.compliance  # of a contact of steel on steel [1/MPa]
 STIFFENING = 10.0 / 9.0  # power of the deflection with which the load of a lamina grows
 
 
 def slice_compliance(contact: Contact) -> float:
-    """Return the sum of both compliances [1/MPa], each steel being that of the standard's constant."""
+    """Return the sum of both compliances [1/MPa], with the standard's constant for every steel."""
     low, high = STEEL_MODULUS
     materials = contact.a.material, contact.b.material
     return sum(STEEL.compliance if low <= material.modulus <= high else material.compliance for material in materials)
 
 
 def roller_stiffness(length: float, compliance: float = _OF_STEEL) -> float:
-    """Return the load [N] of a roller of a length [mm] between two raceways per deflection [mm] to `STIFFENING`.
+    """Return the load [N] on a roller of a length [mm] between two raceways over the deflection [mm] to `STIFFENING`.
 
-    The standard's constant is that of steel, of whichever modulus. Palmgren's formula, of which it is the inverse, has
-    for other materials
+    The standard's constant applies to steel of any modulus. It is the inverse of Palmgren's formula, which reads for
+    other materials
 
         deflection = 0.39 {4 (1 - nu_1^2) / E_1 + 4 (1 - nu_2^2) / E_2}^0.9 Q^0.9 / L^0.8
 
-    per contact (3.84e-5 Q^0.9 / L^0.8 for steel; T. A. Harris, Rolling Bearing Analysis), so that the load of a
-    deflection is inversely as the compliance of the contact, K_a + K_b [1/MPa].
+    per contact (3.84e-5 Q^0.9 / L^0.8 for steel; T. A. Harris, Rolling Bearing Analysis), so that the load at a given
+    deflection is inversely proportional to the compliance of the contact, K_a + K_b [1/MPa].
     """
     return float(35948.0 * length ** (8.0 / 9.0) * _OF_STEEL / compliance)
 
 
 def lamina_stiffness(length: float, laminae: int, compliance: float = _OF_STEEL) -> float:
-    """Return the load of a lamina of one contact of such a roller, per penetration to `STIFFENING`.
+    """Return the load on a lamina of one contact of such a roller, over the penetration to `STIFFENING`.
 
     In the standard, both contacts of a roller deform in series; one of two equal contacts deforms half as much.
     """
@@ -75,12 +75,10 @@ class LaminaModel(Input):
     """The lamina life of ISO/TS 16281, as made by `iso_16281`."""
 
     name: Annotated[str, Word("the name that files and commands use", "give the name of the model", condition=text)]
-    laminae: Annotated[int, Count("number of slices", FEWEST, MOST, "give the number of slices, 60 say")]
-    edge_stress: Annotated[
-        str, Word("how severely edges are stressed", "use 'pressure' for what was solved", EDGE_STRESS)
-    ]
-    line_loads: Annotated[str, Word("which line loads count", "use 'solution' for what was solved", LINE_LOADS)]
-    source: Annotated[str, Word("where it was published", "say where it has been published", condition=text)]
+    laminae: Annotated[int, Count("number of slices", FEWEST, MOST, "give the number of slices, such as 60")]
+    edge_stress: Annotated[str, Word("the edge stress factor", "use 'pressure' for what was solved", EDGE_STRESS)]
+    line_loads: Annotated[str, Word("the line loads of the slices", "use 'solution' for what was solved", LINE_LOADS)]
+    source: Annotated[str, Word("where it was published", "give its publication", condition=text)]
 
     @property
     def slope(self) -> float:
@@ -96,16 +94,16 @@ def iso_16281(*, laminae: int = 60, edge_stress: str = "pressure", line_loads: s
     laminae : int
         n_s, at least 30.
     edge_stress : str
-        ``"pressure"``: from the pressures solved for. ``"standard"``: the standard's function of k. ``"none"``: f = 1.
+        ``"pressure"``: from the solved pressures. ``"standard"``: the standard's function of k. ``"none"``: f = 1.
     line_loads : str
-        ``"solution"``: those solved for. ``"standard"``: those of the standard's independent slices under the same load
+        ``"solution"``: from the solution. ``"standard"``: from the standard's independent slices under the same load
         and tilt.
 
     Notes
     -----
-    The standard has a roller between two raceways that are tilted by psi against each other. Its slices are taken here
-    as those of one of two equal contacts, each with half of the approach and half of psi: a contact with the tilt gamma
-    has the slices that the standard has at psi = 2 gamma.
+    The standard considers a roller between two raceways misaligned by psi. Here its slices belong to one of two equal
+    contacts, each with half of the approach and half of psi: a contact with the tilt gamma has the standard's slices
+    for psi = 2 gamma.
 
     References
     ----------
@@ -122,7 +120,7 @@ class Laminae:
     edges: Array  # [mm], from end to end of the effective length, which is that without corners, shape (laminae + 1,)
     load: Array  # q_k [N], shape (laminae,)
     factor: Array  # f_k [-]
-    # Where pressures were left out, near a sharp end or a corner of the profile at which the contact ends [mm].
+    # Positions near which pressures were left out: sharp ends, or corners of the profile where the contact ends [mm].
     sharp: tuple[float, ...] = ()
 
     def damage(self, capacity: float) -> Array:
@@ -159,21 +157,21 @@ def edge_function(laminae: int) -> Array:
 def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] | None = None) -> Laminae:
     """Return the laminae of a solution.
 
-    Beyond the effective length, in the corners, only pressures count: as those of the outermost laminae.
+    Beyond the effective length, in the corners, only pressures are counted, with the outermost laminae.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
         The solved contact.
     model : LaminaModel
-        How it is cut.
-    span : tuple of float, optional
-        Between which places [mm]: the effective length of a bearing, where another of its contacts is shorter.
+        The laminae and their edge stress.
+        span : tuple of float, optional
+        Interval to cut [mm]: the effective length of a bearing, if another of its contacts is shorter.
 
     Raises
     ------
     InputError
-        If the bodies can touch over an unlimited length, which cannot be cut, or a dent is in the contact.
+        If the length over which the bodies can touch is unlimited, or a dent is in the contact.
     """
     refuse_rolling_on(solution)
     contact = solution.contact
@@ -195,18 +193,18 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
         factor = _factors(solution, reach, length, load, sharp)
     else:
         factor = edge_function(model.laminae) if model.edge_stress == "standard" else np.ones(model.laminae)
-    # A longer lamina bears more, as the capacity of a contact grows with its length.
+    # A longer lamina has a larger capacity, since the capacity of a contact grows with its length.
     return Laminae(edges, load, factor * (np.diff(edges) / length) ** (7.0 / 9.0), sharp)
 
 
 def refuse_rolling_on(solution: Solved) -> None:
-    """Refuse a solution that holds for one position of a dent alone.
+    """Refuse a solution that holds only for one position of a dent.
 
     Raises
     ------
     InputError
     """
-    # Imported here, because case files need this module and few of them the plane grid.
+    # Imported here: case files need this module, but few of them the plane grid.
     from nonhertz.patch.solution import PatchSolution
 
     if isinstance(solution, PatchSolution) and solution.rolls_on:
@@ -216,16 +214,16 @@ def refuse_rolling_on(solution: Solved) -> None:
 
 
 def _shares(edges: Array, fine: Array, density: Array) -> Array:
-    """Return the integral between ``edges`` of a density that is constant between ``fine`` ones."""
+    """Return the integrals between ``edges`` of a density that is constant between ``fine`` edges."""
     total = np.concatenate([[0.0], np.cumsum(density * np.diff(fine))])
     return np.diff(np.interp(edges, fine, total))
 
 
 def _factors(solution: Solved, edges: Array, length: Array, load: Array, sharp: tuple[float, ...]) -> Array:
-    """Return f_k from the pressures: the load of Hertz's line contact under these pressures, over the lamina's load.
+    """Return f_k from the pressures: the load of Hertz's line contact with these pressures over the lamina's load.
 
-    The mean over a lamina is taken with the power that its load enters the damage with, leaving out the vicinity of an
-    end where the pressure has no limit.
+    The mean over a lamina uses the power of its load in the damage, and leaves out the vicinity of an end where the
+    pressure is singular.
     """
     fine, density = solution.edges, solution.line_load
     pressure = solution.largest_across
@@ -250,13 +248,13 @@ def _slices(solution: Solved, edges: Array) -> Array:
     contact: Contact = solution.contact
     y = 0.5 * (edges[1:] + edges[:-1])
     gap = contact.separation(y) - solution.tilt * y
-    gap -= gap.min()  # a large one in all slices would leave no digits for the approach
+    gap -= gap.min()  # a large gap in all slices would leave no digits for the approach
     stiffness = lamina_stiffness(float(edges[-1] - edges[0]), y.size, slice_compliance(contact))
 
     def loads(approach: float) -> Array:
         return np.asarray(stiffness * np.maximum(approach - gap, 0.0) ** STIFFENING)
 
-    # If one slice bears it all, rounding must not leave the load just above what this approach gives.
+    # If one slice carries the whole load, rounding must not leave the load just above that of this approach.
     high = (1.0 + 1e-9) * (solution.load / stiffness) ** (1.0 / STIFFENING)
     from scipy.optimize import brentq
 

@@ -1,16 +1,16 @@
 """The life of a raceway with a dent that is rolled over.
 
-A dent rolls with its surface through the contact, so that one solution with a dent is a moment of its passage. Here the
-contact is solved on a plane grid with the dent in the middle of each cell across, from where it does not change the
-pressure to where it no longer does, at the approach of the smooth contact: what a dent takes from the load is too
-little to move the bodies. Each point of the raceway travels with the dent, and takes the largest value of its
-criterion, or half the range of the orthogonal shear stress, over the whole passage. What the dent adds to the damage is
-the integral over its surroundings, less that of the same points on the smooth raceway.
+A dent rolls with its surface through the contact, so that one solution with a dent is an instant of its passage. The
+contact is solved on a plane grid with the dent in the middle of each cell across, from where it does not yet change the
+pressure to where it no longer does, at the approach of the smooth contact: the load that a dent removes is too small to
+move the bodies. Each point of the raceway travels with the dent and gets the largest value of its criterion, or half
+the range of the orthogonal shear stress, over the whole passage. The damage added by the dent is the integral over its
+surroundings, minus that of the same points on the smooth raceway.
 
-The stress is that of the smooth strips plus that of the difference which the dent makes to the pressure of the cells.
-That difference is local, so at each depth it is a convolution on the grid of the cells, by FFT, with the stress below
-one cell in closed form. Below the middles of cells it shows their steps in the orthogonal shear stress alone, which
-therefore falls in proportion to the depth nearer to the surface than half a cell.
+The stress is that of the smooth strips plus that of the change of pressure by the dent on the cells. The change is
+local, so at each depth its stress is a convolution on the grid of cells, by FFT, with the stress below one cell in
+closed form. Below cell centres the steps between cells affect only the orthogonal shear stress, which is therefore
+made proportional to the depth closer to the surface than half a cell.
 """
 
 from __future__ import annotations
@@ -44,30 +44,30 @@ from nonhertz.subsurface.rectangles import Rectangles
 
 Array = NDArray[np.float64]
 
-ACROSS_DENT, ACROSS_SHOULDER, ACROSS_CONTACT = 24, 8, 20  # cells at least, of the contact to either side
-EVERY = 2  # cells in either direction: the points at which the passage is followed
-REACH = 3.0  # half-widths beyond the rim: the surroundings
-WINDOW = 3.5  # half-widths to either side: from further away no point takes its largest stress
-UNCHANGED = 1e-4  # of the largest pressure: below this the dent has nothing to do with the contact
-WIDER = 1.2  # than the contact: the cells
+ACROSS_DENT, ACROSS_SHOULDER, ACROSS_CONTACT = 24, 8, 20  # cells at least; across half of a contact
+EVERY = 2  # cells in either direction between the points that are followed
+REACH = 3.0  # half-widths beyond the rim: extent of the surroundings
+WINDOW = 3.5  # half-widths to either side: no point has its largest stress from further away
+UNCHANGED = 1e-4  # of the largest pressure: below this change the dent has no effect
+WIDER = 1.2  # extent of the cells over that of the contact
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Overrolled(HasFindings, ReadOnly):
-    """What the surroundings of a dent go through while a contact rolls over them.
+    """Stresses in the surroundings of a dent while a contact rolls over them.
 
     Attributes
     ----------
     dent : Dent
         The dent.
     body : {"a", "b"}
-        The body whose raceway has it.
+        The body with the dent.
     diameter : float
         Diameter of that raceway [mm], positive; infinite where it is flat.
     smooth : Exposure
         The stresses of the smooth raceway, from its own solution.
     positions : ndarray, shape (stations,)
-        Positions of the dent across the contact [mm] at which it changes the pressure; none where it never does.
+        Positions of the dent across the contact [mm] at which it changes the pressure; empty if it never does.
     max_pressure : ndarray, shape (stations,)
         Largest pressure [MPa] within the surroundings at these positions.
     x, y, z : ndarray, shape (nx,), (ny,) and (depths,)
@@ -78,7 +78,7 @@ class Overrolled(HasFindings, ReadOnly):
     smooth_orthogonal_shear, smooth_shear, smooth_von_mises : ndarray, shape (nx, ny, depths)
         The same without the dent.
     findings : tuple of Finding
-        What strains the solution with the dent where the pressure is largest, and whether cells were coarse.
+        Strains of the solution with the dent where the pressure is largest, and whether cells were coarse.
     """
 
     dent: Dent
@@ -99,7 +99,7 @@ class Overrolled(HasFindings, ReadOnly):
     findings: tuple[Finding, ...]
 
     def excess(self, model: VolumeModel, within: float = math.inf) -> float:
-        """Return the damage that the dent adds, an integral over its surroundings [MPa^k mm^(3-h)].
+        """Return the damage added by the dent, an integral over its surroundings [MPa^k mm^(3-h)].
 
         Parameters
         ----------
@@ -140,12 +140,12 @@ class Overrolled(HasFindings, ReadOnly):
         model : VolumeModel
             A model of `nonhertz.life`.
         dents : int
-            How many such dents lie around the raceway, at the same y, far enough apart not to meet in the contact.
+            Number of such dents around the raceway, at the same y, far enough apart not to meet in the contact.
         per_area : float, optional
-            In their place, how many lie on a square millimetre [1/mm^2] all over the raceway. Each is taken to do as
-            much damage, compared with the smooth raceway at its y, as this one.
+            Instead of ``dents``, their number per area [1/mm^2] all over the raceway. The damage of each, relative to
+            the smooth raceway at its y, is assumed equal to that of this one.
         raceway_diameter : float, optional
-            Diameter of the raceway [mm]; that of the body if left out.
+            Diameter of the raceway [mm]; by default that of the body.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class Overrolled(HasFindings, ReadOnly):
         not_negative("per_area", per_area, "give the number of dents on a square millimetre")
         most = 4.0 / (math.pi * outer(self.dent) ** 2)
         if per_area > most:
-            raise InputError("per_area", per_area, f"not exceed {most:.3g}", "so many such dents cover the raceway")
+            raise InputError("per_area", per_area, f"not exceed {most:.3g}", "with that many, dents cover the raceway")
         smooth = float(np.interp(self.dent.y, self.smooth.y, self.smooth.density(model)))
         return ratio(smooth, smooth + per_area * excess, model.slope)
 
@@ -190,14 +190,14 @@ def overrolled(
     reach: float = REACH,
     callback: Callable[[int, int], object] | None = None,
 ) -> Overrolled:
-    """Roll a dent in a raceway through a contact, and return what its surroundings go through.
+    """Roll a dent in a raceway through a contact, and return the stresses in its surroundings.
 
     Parameters
     ----------
     solution : Solution or PatchSolution
         The contact without the dent.
     dent : Dent
-        The dent. Its ``y`` is where it lies along the contact; its ``x`` plays no part, since it rolls through.
+        The dent. Its ``y`` is its position along the contact; its ``x`` is ignored, since it rolls through.
     body : {"a", "b"}
         The body that has the dent and fatigues.
     cell : float, optional
@@ -206,7 +206,7 @@ def overrolled(
     reach : float
         How far the surroundings reach beyond the rim of the dent, in half-widths.
     callback : callable, optional
-        Called with the number of positions done, and that expected.
+        Called with the number of positions done and the number expected.
 
     Returns
     -------
@@ -221,8 +221,8 @@ def overrolled(
 
     Notes
     -----
-    The dent keeps its shape: elastic stress only, without the residual stress of the material pushed aside. It takes
-    two to three minutes. The effect of side faces on what the dent adds is left out.
+    The dent keeps its shape: stress is elastic, without the residual stress of the displaced material. The calculation
+    takes two to three minutes. The effect of side faces on the change of pressure by the dent is neglected.
 
     Examples
     --------
@@ -249,8 +249,8 @@ def overrolled(
             raise InputError(name, value, f"not exceed {most:.3g}", "leave it out for the usual one")
     rim = 0.5 * outer(dent)
     words = (
-        "Cells of {side:.3g} are coarser than the usual {usual:.3g}: what the dent adds may be wrong by half of it by "
-        "orthogonal shear, by some per cent by other stresses."
+        "Cells of {side:.3g} are coarser than the usual {usual:.3g}: the damage added by the dent may be wrong by half "
+        "with orthogonal shear, by some per cent with other stresses."
     )
     coarse = [finding("coarse-cells", words, side=mm(side), usual=mm(usual))] if side > usual else []
     with without_accuracy_warnings():
@@ -283,7 +283,7 @@ def _refuse_place(solution: Solved, dent: Dent) -> None:
     room = 0.5 * outer(dent) + solution.max_half_width
     low, high = solution.contact.interval[0] + room, solution.contact.interval[1] - room
     if not low <= dent.y <= high:
-        remedy = "choose a place where the ends of the contact have no effect"
+        remedy = "choose a position where the ends of the contact have no effect"
         condition = (
             f"lie between {mm(low, high, between=' and '):.4g}"
             if low < high
@@ -298,7 +298,7 @@ def _grid(solution: Solved, dent: Dent, side: float) -> tuple[PatchSolution, dic
     Their number across is odd, so that the middle of the dent passes over centres of cells.
     """
     contact, half_width = solution.contact, solution.max_half_width
-    # The shoulder may touch beyond the edge, where the gap of Hertz's line contact is still lower than it is high:
+    # The shoulder may touch beyond the edge, where the gap of Hertz's line contact is still smaller than its height:
     # 4 sqrt(2) / 3 (b^2 / 2 rho) (x / b - 1)^(3/2).
     rise = float(contact.curvature(np.array([dent.y]))[0]) * half_width**2 * 4.0 * math.sqrt(2.0) / 6.0
     across = half_width * (WIDER + (dent.shoulder / rise) ** (2.0 / 3.0))
@@ -332,10 +332,10 @@ def _solve_passage(
 class _Surroundings:
     """The points that travel with the dent, and the stress below them."""
 
-    x: Array  # the points [mm], by the middle of the dent across
+    x: Array  # the points [mm], from the middle of the dent across
     y: Array  # and along the contact
     columns: NDArray[np.int64]  # of cells, from the middle of the dent to the points on one side
-    window: int  # columns of cells to either side of the contact below which there is a stress
+    window: int  # columns of cells to either side of the contact for which stress is computed
     shallow: int  # number of `levels` that are less than half a cell deep
     smooth: Array  # stress of the smooth contact [MPa], shape (2 window + 1, ny, depths, 6)
     added: Callable[[Array], Array]  # differences of the pressure on cells -> the stress [MPa] they add, of that shape
@@ -354,7 +354,7 @@ class _Surroundings:
         rows, y = rows[inside], y[inside]
         window = int(WINDOW * half_width / cells.dx)
         across = cells.dx * np.arange(-window, window + 1)
-        # There is nothing where a thin wall ends.
+        # No stress beyond the material of a thin wall.
         smooth = np.nan_to_num(stress(solution, across[:, None, None], y[:, None], z, body=body).stress)
         added = _stress_below(cells, window, rows, z, own.material.poisson)
         x = cells.dx * np.concatenate([-columns[:0:-1], columns])

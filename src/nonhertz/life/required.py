@@ -1,4 +1,4 @@
-"""The life that is asked for: in millions of revolutions, or in hours at the speed of the bearing."""
+"""The required life: in millions of revolutions, or in hours at the speed of the bearing."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def _asked(name: str, value: object, remedy: str) -> float | str:
     return number
 
 
-#: What describes the field.
+#: Description of the field.
 REQUIRED: Final = Custom(
-    "life that is asked for, in millions of revolutions or, as text such as '20000 h', in hours: the verdict counts it",
+    "required life in millions of revolutions or, as text such as '20000 h', in hours: the verdict includes it",
     _asked,
     {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string", "pattern": rf"^ *{_HOURS.pattern} *$"}]},
     _REMEDY,
@@ -37,19 +37,19 @@ REQUIRED: Final = Custom(
 
 
 def million_revolutions(required: float | str, speed: float | None) -> float:
-    """Return the life that is asked for [10^6 revolutions].
+    """Return the required life [10^6 revolutions].
 
     Parameters
     ----------
     required : float or str
         As in `REQUIRED`.
     speed : float or None
-        [1/min], for hours.
+        Speed [1/min], needed for hours.
 
     Raises
     ------
     InputError
-        If hours are asked for without a speed.
+        If hours are required without a speed.
 
     Examples
     --------

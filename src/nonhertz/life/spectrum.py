@@ -1,4 +1,4 @@
-"""Load spectra: the loads that a contact carries, each for a share of the revolutions."""
+"""Load spectra: loads on a contact, each for a fraction of the revolutions."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def at_most_whole(name: str, shares: Iterable[float], remedy: str) -> None:
 def check_shares(
     solution: object, check: Callable[[object], object], of: str, condition: str, remedy: str
 ) -> list[tuple[Any, float]]:
-    """Return pairs of a checked solution and its share, all of one contact or bearing."""
+    """Return checked pairs of a solution and its share, all for one contact or bearing."""
     pairs = list(solution) if isinstance(solution, Sequence) else []
     if not pairs or not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
         raise InputError("solution", solution, condition, remedy)
@@ -40,13 +40,13 @@ def check_shares(
         check(result)
         positive("share", share, remedy)
         if getattr(result, of) != getattr(pairs[0][0], of):
-            raise InputError("solution", "several", f"all be of one {of}", f"assess {of}s one by one")
+            raise InputError("solution", "several", f"all belong to one {of}", f"assess {of}s one by one")
     at_most_whole("share", [share for _, share in pairs], remedy)
     return pairs
 
 
 def check_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]:
-    """Return load cases of a kind in a list; refuse anything else, and none at all."""
+    """Return load cases of a kind as a list; refuse anything else, and an empty list."""
     remedy = f"give a list of {kind.__module__.removesuffix('.spectrum')}.{kind.__name__}"
     items: list[Case] = check_list(name, cases, "be load cases", remedy)
     if not items or not all(isinstance(case, kind) for case in items):
@@ -55,7 +55,7 @@ def check_cases(name: str, cases: Iterable[Any], kind: type[Case]) -> list[Case]
 
 
 def refuse_other_than_whole(name: str, cases: Sequence[ContactLoadCase], remedy: str) -> float:
-    """Refuse shares that do not add up to 1 within 0.001; return what they add up to."""
+    """Refuse shares that do not add up to 1 within 0.001; return their sum."""
     total = math.fsum(case.share for case in cases)
     if abs(total - 1.0) > WHOLE:
         raise InputError(name, round(total, 6), "add up to 1", remedy)
@@ -63,7 +63,7 @@ def refuse_other_than_whole(name: str, cases: Sequence[ContactLoadCase], remedy:
 
 
 def miner(lives: Sequence[float], shares: Sequence[float]) -> float:
-    """Return the life under loads with shares of the revolutions, after Palmgren and Miner."""
+    """Return the life under loads with fractions of the revolutions, after Palmgren and Miner."""
     damage = math.fsum(share / life for life, share in zip(lives, shares, strict=True))
     return 1.0 / damage if damage != 0.0 else math.inf
 
@@ -73,7 +73,7 @@ share_of_revolutions = number_that(lambda share: share <= 1.0, "not exceed 1", p
 
 @input_class(kw_only=True)
 class ContactLoadCase(Input):
-    """A load carried for a share of the revolutions.
+    """A load for a fraction of the revolutions.
 
     Raises
     ------
@@ -123,7 +123,7 @@ def solve_spectrum(
     Returns
     -------
     tuple of pairs
-        Solution and share of each, as `nonhertz.life.assess` takes them.
+        Solution and share of each load, as `nonhertz.life.assess` takes them.
 
     Raises
     ------

@@ -1,15 +1,15 @@
-"""The stresses at every point below a contact while the load rolls over it, which all volume models share.
+"""The stresses at every point below a contact while the load rolls over it, common to all volume models.
 
 The stresses over a pass are evaluated at one or two Gauss points along every strip, and beyond both ends of the
 contact, at equal steps of the square root of the depth, in which the amplitude of the orthogonal shear stress is smooth
 up to the surface. A spline through them gives the stress at many more depths, so that tenth powers and fatigue limits
-are integrated as accurately as the stress itself. Four half-widths deep there is hardly any damage left, but for a
-hollow roller, whose wall bends: there the integral goes on to the bore and, along the roller, to its side faces, at
+are integrated as accurately as the stress itself. Below four half-widths there is hardly any damage, except in a
+hollow roller, whose wall bends: there the integral extends to the bore and, along the roller, to its side faces, at
 points that turn with it.
 
 Towards a sharp end, or a corner of the profile where the contact ends, the stress grows without bound, and so fast that
-its tenth power is not integrable. The volume around such an end is left out, to a tenth of the largest half-width: the
-strip model says nothing about it either.
+its tenth power is not integrable. The volume within a tenth of the largest half-width of such an end is left out: the
+strip model is not valid there either.
 """
 
 from __future__ import annotations
@@ -43,12 +43,12 @@ DEEP = 12  # Gauss points from there to the bore
 SHALLOWEST = 1e-6  # half-widths: on the surface itself quadrature across breaks down
 NARROW = 0.25  # half-widths
 BEYOND = np.array([0.0, 0.1, 0.25, 0.5, 1.0, 2.0])  # distances beyond the contact's ends, in half-widths
-TO_FACES = 5  # stretches from there to the side faces of a hollow roller
+TO_FACES = 5  # intervals from there to the side faces of a hollow roller
 MOST_ROWS = 128  # of a plane grid
-# Half-widths: the distance from its line at which a line load acts like a pressure spread across. Found by comparison
-# with the whole field at corners of 0.3 and 1 mm; 0.2 and 0.8 are 5 to 18 % off in life.
+# Half-widths: distance from a line load at which it acts like a pressure distributed across. Fitted to the whole field
+# at corners of 0.3 and 1 mm; with 0.2 and 0.8 the life is off by 5 to 18 %.
 SPREAD = 0.5
-NEARBY = 6.0  # half-widths: from further away less than 1e-3 comes down to where there is damage
+NEARBY = 6.0  # half-widths: loads further away contribute less than 1e-3 at the depths of damage
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -62,7 +62,7 @@ class Exposure(ReadOnly):
     y, width : ndarray, shape (stations,)
         Stations [mm], and their weights in an integral along y [mm].
     half_width : ndarray, shape (stations,)
-        Half-width of the contact, or what its field is as wide as beyond its ends [mm].
+        Half-width of the contact, or beyond its ends the width of its field [mm].
     z, height : ndarray, shape (stations, depths)
         Depths [mm], and their weights in an integral over z [mm].
     orthogonal_shear, shear, von_mises : ndarray, shape (stations, depths)
@@ -70,10 +70,10 @@ class Exposure(ReadOnly):
     counted : ndarray of bool, shape (stations, depths)
         False within a tenth of the largest half-width of an end in ``sharp``.
     reference : Exposure or None
-        That of the same contact under an ideal pressure: Hertz's line contact everywhere, the load per unit length the
-        same from end to end. None where the bodies can touch over an unlimited length.
+        Exposure of the same contact under an ideal pressure: Hertz's line contact with a uniform load per unit length.
+        None where the length over which the bodies can touch is unlimited.
     sharp : tuple of float
-        Where the contact has an end towards which the stress has no limit [mm]: a sharp end of a body, or a corner of
+        Positions of the ends of the contact at which the stress is singular [mm]: sharp ends of a body, or corners of
         the profile.
     """
 
@@ -153,7 +153,7 @@ def exposure(solution: Solved, *, body: BodyName = "a", **options: Unpack[Runnin
     bends = inside.wall is not None
     y, width, half_width = _stations(solution, inside.body.faces, TO_FACES if bends else 0)
     thickness = inside.extent.thickness(y)[:, None]
-    # There is nothing where a thin wall ends.
+    # No stress beyond the material of a thin wall.
     scale = np.minimum(half_width[:, None], thickness / PANELS[-1])
     evaluated, fill = levels()
     depth = scale * evaluated
@@ -172,14 +172,14 @@ def exposure(solution: Solved, *, body: BodyName = "a", **options: Unpack[Runnin
 
 
 def section_exposure(solution: Solved, *, body: BodyName = "a") -> Exposure:
-    """Return the exposure with every cross-section in plane strain under its own pressure, which costs next to nothing.
+    """Return the exposure with every cross-section in plane strain under its own pressure, which is very cheap.
 
-    All sections are alike but for pressure and half-width. Where these change along the contact, the orthogonal shear
-    at a point is a mean over the sections nearby: a unit of line load at the distance r of its line adds to it in
-    proportion to r^4 / (r^2 + y^2)^(5/2), the distance being y along the line. With r^2 = z^2 + b^2 / 4, since the
-    pressure is spread across, damage by orthogonal shear is that of the whole field within 1 %, at smooth pressures as
-    at the peak of a roller's corner. The other stresses have no such kernel: they are those of the section itself, too
-    large at a peak that is narrower than a half-width.
+    Sections differ only in pressure and half-width. Where these change along the contact, the orthogonal shear at a
+    point is a mean over nearby sections: a unit of line load at the distance r from its line contributes in proportion
+    to r^4 / (r^2 + y^2)^(5/2), where y is the distance along the line. With r^2 = z^2 + b^2 / 4, since the pressure is
+    distributed across, damage by orthogonal shear is within 1 % of the whole field, for smooth pressures and at the
+    peak of a roller's corner. The other stresses have no such kernel: they are those of the section itself, and too
+    large at a peak narrower than a half-width.
     """
     inside = Inside.of(solution, body)
     if inside.wall is not None:
@@ -197,7 +197,7 @@ def section_exposure(solution: Solved, *, body: BodyName = "a") -> Exposure:
 
 
 def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) -> Array:
-    """Return the orthogonal shear at stations and depths from that of sections in plane strain, and all nearby."""
+    """Return the orthogonal shear at stations and depths as a mean over nearby sections in plane strain."""
     touching = np.flatnonzero(solution.line_load > 0.0)
     pressure = solution.largest_across[touching]
     across = solution.extent_across[1][touching]
@@ -211,7 +211,7 @@ def _from_nearby(solution: Solved, y: Array, half_width: Array, plane: Array) ->
         last = min(int(np.searchsorted(edges, station + NEARBY * b)), touching.size)
         near = slice(first, last)
         relative = z / across[near]
-        # On the surface there is none; far below, that of a line load falls with the distance.
+        # It vanishes on the surface; far below, that of a line load falls with the distance.
         shear = np.interp(relative, np.append(0.0, depth), np.append(0.0, plane))
         shear *= np.minimum(1.0, depth[-1] / relative)
         share = np.diff(_share_below((edges[first : last + 1] - station) / reach), axis=1)
@@ -240,7 +240,7 @@ def _make_exposure(
     points: tuple[Array, Array, Array, Array, Array],
     amplitudes: dict[str, Array],
 ) -> Exposure:
-    """Return the exposure by stresses at points, of which what is too near to sharp ends does not count."""
+    """Return the exposure from stresses at points; points too near to sharp ends do not count."""
     y, _, _, z, _ = points
     sharp = tuple(end.y for end in solution.singular_ends)
     away = [np.hypot(y[:, None] - end, z) >= LEFT_OUT * solution.max_half_width for end in sharp]
@@ -252,7 +252,7 @@ def _make_exposure(
 def _stations(solution: Solved, faces: tuple[float, float], to_faces: int = 0) -> tuple[Array, Array, Array]:
     """Return stations over and beyond the contact, their widths in an integral, and the half-widths there.
 
-    There are a number of stretches ``to_faces``, from where the field of the contact hardly reaches to either face.
+    ``to_faces`` is the number of intervals from where the field of the contact becomes negligible to either face.
     """
     edges = _edges_in_contact(solution)
     half_width = across_at(solution, 0.5 * (edges[1:] + edges[:-1]))[1]
@@ -287,7 +287,7 @@ def _edges_in_contact(solution: Solved) -> Array:
 def even_exposure(
     contact: Contact, load: float, body: BodyName, span: tuple[float, float] | None = None
 ) -> Exposure | None:
-    """Return the exposure under Hertz's line contact, a load spread evenly over a span or the effective length [mm].
+    """Return the exposure under Hertz's line contact, a load uniform over a span or the effective length [mm].
 
     None where that length is unlimited.
     """

@@ -1,4 +1,4 @@
-"""Maps: stand-ins for a contact, a microsecond a query, for programs that solve whole bearings.
+"""Maps: fast surrogates of a contact, a microsecond per query, for programs that solve whole bearings.
 
 `contact_map` makes a `ContactMap`. In Python it is evaluated by `ContactMap.at` and `ContactMap.under`; for compiled
 code, `AT_APPROACH`, `AT_LOAD`, `MAXIMA` and `STRIP_LOADS` are C functions that take its ``table``.

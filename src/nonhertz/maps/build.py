@@ -1,4 +1,4 @@
-"""A map built: cases chosen and solved, splines fitted and refined where points of their own say so, errors sampled."""
+"""Building a map: cases are chosen and solved, splines fitted and refined by independent points, errors sampled."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _LEAST_X = 0.02
 
 @dataclass(frozen=True)
 class Building:
-    """What a map is built of.
+    """Inputs from which a map is built.
 
     Attributes
     ----------
@@ -46,9 +46,9 @@ class Building:
     element : Element
     threads : int or None
     stations : ndarray
-        Edges of the strips whose loads are kept [mm].
+        Edges of the strips whose loads are stored [mm].
     checks : int
-        Number of points that errors are sampled at.
+        Number of points at which errors are sampled.
     """
 
     contact: Contact
@@ -58,7 +58,7 @@ class Building:
     checks: int
 
     def solve(self, name: str, values: Array, tilt: Array) -> Solutions:
-        """Solve cases under loads or approaches; what their solutions warn of is left to single solves."""
+        """Solve cases under loads or approaches, without warnings of their solutions."""
         with without_accuracy_warnings():
             prescribed: dict[str, Any] = {name: values}
             return solve_many(self.contact, **prescribed, tilt=tilt, element=self.element, threads=self.threads)
@@ -81,17 +81,17 @@ def build_surfaces(
 ) -> dict[str, Any]:
     """Solve, fit, check and refine until load and moment are accurate enough or refinement no longer helps.
 
-    Points that a check was made on are used to build the next stand-in, which is checked on new ones.
+    Check points are used to build the next surrogate, which is checked at new ones.
 
     Returns
     -------
     dict
-        The fields of a `ContactMap` that follow from this.
+        The fields of a `ContactMap` that result.
 
     Raises
     ------
     InputError
-        If fewer cases have a solution than have none.
+        If more cases fail than have a solution.
     """
     random = np.random.default_rng(_SEED)
     known: set[tuple[float, float]] = set()
@@ -144,14 +144,14 @@ def _coarsest(tried: list[tuple[Misses, Shape]]) -> Shape:
 
 
 def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
-    """Return whether what is left is the scatter of the solutions: as large everywhere, and no less on finer cells."""
+    """Return whether the remaining error is the scatter of the solutions: uniform, and no smaller on finer cells."""
     typical = [misses.typical for misses, _ in tried]
     idle = len(typical) > _IDLE_ROUNDS and min(typical[-_IDLE_ROUNDS:]) > _PROGRESS * min(typical[:-_IDLE_ROUNDS])
     return idle and tried[-1][0].worst < _EVEN * float(np.median(tried[-1][0].combined))
 
 
 def _new_nodes(shape: Shape, known: set[tuple[float, float]]) -> tuple[Array, Array]:
-    """Return load and tilt at the nodes of the cells that were not asked for before, which are added to ``asked``."""
+    """Return load and tilt at the nodes of the cells that are not yet in ``known``, and add them to it."""
     x, z = _nodes(shape.breaks[0])[1:], _nodes(shape.breaks[1])
     x[0] = max(x[0], _LEAST_X)
     new = [node for node in ((float(a), float(b)) for a in x for b in z) if node not in known]
@@ -166,7 +166,7 @@ def _nodes(breaks: Array) -> Array:
 
 
 def _check_points(shape: Shape, random: np.random.Generator, count: int) -> tuple[Array, Array]:
-    """Return random loads and tilts: half of them even over the range, half even over the cells."""
+    """Return random loads and tilts: half of them uniform over the range, half uniform over the cells."""
     half = count // 2
     even = random.random((2, half))
     load = shape.max_load * np.maximum(even[0], _LEAST_X**3)
@@ -189,7 +189,7 @@ def _touch(shape: Shape, relief: Relief) -> tuple[Array, Array]:
 
 
 def _refine(shape: Shape, mean_approach: Array, checks: Samples, errors: Array, permitted: float) -> Shape | None:
-    """Return a shape with cells halved around the worst points, in the direction that matters there.
+    """Return a shape with cells halved around the worst points, in the direction of the larger error.
 
     None if no cell can be halved further.
     """

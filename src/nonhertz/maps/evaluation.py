@@ -1,4 +1,4 @@
-"""How the numbers of a map are arranged, and the C functions that evaluate it for other programs.
+"""Layout of the numbers of a map, and the C functions that evaluate it for other programs.
 
 The method is explained in ``src/core/maps/contact_map.hpp``, where maps are evaluated.
 """
@@ -49,12 +49,12 @@ _at_approach, _at_load, _maxima, _strip_loads = core.map_functions()
 #: ``inside`` is 0; a load continued below zero is zero, with no stiffness.
 AT_APPROACH = _at_a_point(_at_approach)
 #: ``void at_load(const double *table, double load, double tilt, double *state)`` writes the state under a load [N], not
-#: negative, and at a tilt [rad]. Under no load it is that of first touch, without stiffness. Outside the range of the
-#: map the approach is continued linearly from its border, and ``inside`` is 0.
+#: negative, and at a tilt [rad]. Under no load it is the state of first touch, without stiffness. Outside the range of
+#: the map the approach is continued linearly from its border, and ``inside`` is 0.
 AT_LOAD = _at_a_point(_at_load)
 #: ``void maxima(const double *table, double load, double tilt, double *maxima)`` writes two numbers: largest pressure
 #: [MPa] and largest half-width [mm] under a load and a tilt, as `AT_APPROACH` writes them; zero under no load. Outside
-#: the range of the map the nearest load and tilt within count.
+#: the range of the map the nearest load and tilt within it are used.
 MAXIMA = _at_a_point(_maxima)
 #: ``void strip_loads(const double *table, double load, double tilt, int64_t n, const double *stations, double *loads)``
 #: writes the load on each of n strips [N] between n + 1 ascending stations [mm], such as those of the map. Where

@@ -1,10 +1,10 @@
-"""From solved cases to a stand-in: weighted least squares for the coefficients of its splines.
+"""From solved cases to a surrogate: weighted least squares for the coefficients of its splines.
 
-The mean approach D is fitted to approach and moment, which are D + x/3 dD/dx and -Q dD/dgamma, to the three stiffnesses
-with a small weight, because those of a graded grid carry ten times the discretisation error, and to the first touch,
-which is known without solving: D(0, gamma). Weights make a residual a relative error of load or moment at a given
-approach and tilt. The spline begins with dD/dx = 0 at no load, as both point and line contacts do. What is fitted is
-the largest possible smooth part of the solutions: their scatter from grid to grid is averaged out.
+The mean approach D is fitted to approach and moment, which are D + x/3 dD/dx and -Q dD/dgamma; to the three stiffnesses
+with a small weight, because on a graded grid their discretisation error is ten times as large; and to the first touch,
+which is known without solving: D(0, gamma). Weights turn a residual into a relative error of load or moment at a given
+approach and tilt. The spline begins with dD/dx = 0 at no load, as point and line contacts do. The fit is the largest
+smooth part of the solutions: their scatter from grid to grid is averaged out.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 LIGHT = 0.01
 _STIFFNESS_WEIGHT = 0.05
 _TOUCH_WEIGHT = 3.0
-# Of fourth differences of coefficients, beside data: decides only where data say nothing.
+# Weight of fourth differences of coefficients beside the data: it matters only where there are no data.
 _SMOOTHING, _SMOOTHING_OTHERS = 1e-3, 1e-2
 _RIDGE = 1e-14  # of the mean diagonal
 
@@ -46,7 +46,7 @@ class Samples:
     max_pressure, max_half_width : ndarray, shape (n,)
         [MPa], [mm].
     places : ndarray, shape (n, quantiles)
-        Up to where the contact bears given shares of the load [mm].
+        Positions up to which the contact carries given fractions of the load [mm].
     strip_loads : ndarray, shape (n, stations)
         Load on the strips between stations [N], for checks.
     """
@@ -68,16 +68,16 @@ class Samples:
 
 @dataclass(frozen=True)
 class Shape:
-    """Where a stand-in has its cells.
+    """The cells of a surrogate.
 
     Attributes
     ----------
     numbers : ndarray
-        The first of ``ContactMap.table``, without the numbers of cells.
+        The first numbers of ``ContactMap.table``, without the numbers of cells.
     breaks : tuple of ndarray
         Borders of the cells in x and in z, from 0 to 1.
     half_length : float
-        Lever arm [mm] that moments are compared with.
+        Lever arm [mm] to which errors of moments are relative.
     """
 
     numbers: Array
@@ -100,7 +100,7 @@ class Shape:
         return float(self.numbers[TILT_LOW]), float(self.numbers[TILT_HIGH])
 
     def prescribed(self, x: Array, z: Array) -> tuple[Array, Array]:
-        """Return load and tilt at places in the two coordinates."""
+        """Return load and tilt at positions in the two coordinates."""
         tilts = self.tilt_range
         if self.numbers[WIDENING] == 0.0:
             return self.max_load * x**3, tilts[0] + (tilts[1] - tilts[0]) * z
@@ -126,7 +126,7 @@ def fit_surfaces(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> 
     tuple of ndarray
         Shapes (first basis functions, second basis functions) and (quantities, the same).
     """
-    # Imported here, because a map that is read, or none, needs nothing of it.
+    # Imported here: a map that is read does not need it.
     from scipy import sparse
 
     counts = [knot_count(knots) for knots in shape.breaks]
@@ -209,23 +209,23 @@ def _least_squares(
     normal += sparse.diags_array(np.full(normal.shape[0], _RIDGE * normal.diagonal().mean()), format="csc")
     solver = splu(normal)
     solution = solver.solve(rows.T @ values)
-    # Once more on what is left: normal equations square the condition number.
+    # Once more on the residual: normal equations square the condition number.
     improved: Array = solution + solver.solve(rows.T @ (values - rows @ solution))
     return improved
 
 
 def table(numbers: Array, breaks: tuple[Array, Array], mean_approach: Array, others: Array) -> Array:
-    """Return all numbers of a map in a row, as they are evaluated.
+    """Return all numbers of a map in one row, in the layout that is evaluated.
 
     Parameters
     ----------
     numbers : ndarray, shape (11,)
-        The first of them.
+        The first numbers.
     breaks : tuple of ndarray
         Borders of the cells in x and in z.
     mean_approach, others : ndarray
-        Coefficients, as `fit_surfaces` returns them. In the table they stand as polynomials of the cells, those of all
-        others cell by cell.
+        Coefficients, as `fit_surfaces` returns them. The table holds polynomials of the cells; those of the other
+        quantities cell by cell.
     """
     arranged = np.moveaxis(polynomials_in_cells(breaks, others), 0, 2)
     return freeze(

@@ -1,4 +1,4 @@
-"""What a stand-in is off by: against solved cases that it was not built from."""
+"""Errors of a surrogate against solved cases from which it was not built."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nonhertz.native import core
 
 Array = NDArray[np.float64]
 
-#: Stated over largest sampled error. Of 600 points elsewhere, up to 3 were worse than stated on 150 check points.
+#: Stated over largest sampled error. With 150 check points, up to 3 of 600 other points were worse than stated.
 SAFETY = 1.5
 
 
@@ -20,9 +20,9 @@ SAFETY = 1.5
 class SampledErrors:
     """The largest errors of a map at its check points, against the solver at the same approach and tilt, times 1.5.
 
-    Not bounds: a few points in a thousand elsewhere may be worse. "Load" below is that of the point, but at least
-    a hundredth of the map's largest; "stiffness" is d load / d approach there, and the half-length half the length on
-    which the bodies can touch, or do under the largest load where that has no end.
+    They are not bounds: a few points in a thousand elsewhere may be worse. "Load" below is the load at the point, but
+    at least a hundredth of the map's largest; "stiffness" is d load / d approach there; the half-length is half the
+    length over which the bodies can touch or, if that is unlimited, touch under the largest load.
 
     Attributes
     ----------
@@ -33,9 +33,9 @@ class SampledErrors:
     stiffness : float
         The largest error of the four entries, over stiffness, stiffness times half-length, and times its square.
     max_pressure : float
-        Error of the largest pressure over the largest pressure, but at least a fifth of the largest of all.
+        Error of the largest pressure over that pressure, but over at least a fifth of the largest in the map.
     max_half_width : float
-        Error of the largest half-width over that, likewise.
+        Error of the largest half-width over that half-width, likewise.
     strip_loads : float
         The largest error of the load on a station over load.
     points : int
@@ -53,13 +53,13 @@ class SampledErrors:
 
 @dataclass(frozen=True)
 class Misses:
-    """Errors of a stand-in at check points: rows in the order of `SampledErrors`, and relative as it says."""
+    """Errors of a surrogate at check points: rows in the order, and relative to the quantities, of `SampledErrors`."""
 
     relative: Array
 
     @classmethod
     def of(cls, shape: Shape, table: Array, stations: Array, samples: Samples) -> Misses:
-        """Compare a stand-in with solved cases at the same approach and tilt."""
+        """Compare a surrogate with solved cases at the same approach and tilt."""
         states = core.map_states(table, False, samples.approach, samples.tilt)
         strip_loads = core.map_shares(table, np.ascontiguousarray(states[:, 2]), samples.tilt, stations)
         light = np.maximum(samples.load, LIGHT * shape.max_load)
@@ -98,11 +98,11 @@ class Misses:
         return float(np.sqrt(np.mean(self.combined**2)))
 
     def sampled(self) -> SampledErrors:
-        """Return the largest of each, times `SAFETY`."""
+        """Return the largest error of each quantity times `SAFETY`."""
         return SampledErrors(*(SAFETY * self.relative.max(axis=1)).tolist(), points=self.relative.shape[1])  # type: ignore[misc]
 
 
 def _but_least(values: Array) -> Array:
-    """Return values, but at least what the largest of them would be under a hundredth of its load."""
+    """Return values, but at least the value that the largest would have under a hundredth of its load."""
     least: Array = np.maximum(values, np.cbrt(LIGHT) * values.max())
     return least

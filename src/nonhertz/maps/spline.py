@@ -1,7 +1,7 @@
 """Splines of degree 5 on a grid of cells, in NumPy: basis, derivatives as sparse rows, polynomials of the cells.
 
-A spline is given by a coefficient for each pair of basis functions, one of the first direction, one of the second.
-Degree 5 leaves the fourth derivative continuous, so that a stiffness, a second derivative, is smooth.
+A spline is given by a coefficient for each pair of basis functions in the two directions. With degree 5 the fourth
+derivative is continuous, so that a stiffness, a second derivative, is smooth.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def knot_count(breaks: Array) -> int:
 
 def basis(breaks: Array, derivative: int = 0) -> BSpline:
     """Return derivatives of all basis functions, as splines of a lower degree."""
-    # Imported here, because a map that is read, or none, needs nothing of it.
+    # Imported here: a map that is read does not need it.
     from scipy.interpolate import BSpline
 
     clamped = np.concatenate([np.repeat(breaks[0], DEGREE), breaks, np.repeat(breaks[-1], DEGREE)])
@@ -41,7 +41,7 @@ def basis(breaks: Array, derivative: int = 0) -> BSpline:
 def rows(
     breaks: tuple[Array, Array], places: tuple[Array, Array], derivatives: tuple[int, int] = (0, 0)
 ) -> sparse.csr_array:
-    """Return rows that turn the coefficients of a spline into a derivative at places.
+    """Return rows from the coefficients of a spline to a derivative at places.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def rows(
     places : tuple of ndarray, shape (n,)
         First and second coordinate of each place.
     derivatives : tuple of int
-        Its order in both directions.
+        Order of the derivative in both directions.
     """
     from scipy import sparse
     from scipy.interpolate import NdBSpline
@@ -58,7 +58,7 @@ def rows(
     first, second = (basis(knots, order) for knots, order in zip(breaks, derivatives, strict=True))
     lower = sparse.kron(*(axis.c[: axis.t.size - axis.k - 1] for axis in (first, second)), format="csr")
     design = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
-    # Its shape ends with the last function that is not zero at any place.
+    # Its shape ends with the last function that is nonzero at some place.
     values = sparse.csr_array((design.data, design.indices, design.indptr), (len(design.indptr) - 1, lower.shape[0]))
     return sparse.csr_array(values @ lower)
 
@@ -66,7 +66,7 @@ def rows(
 def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
     """Return rows for the fourth differences of neighbouring coefficients in both directions.
 
-    They determine coefficients in cells without data, and vanish for what varies little from cell to cell.
+    They determine coefficients in cells without data, and vanish for coefficients that vary slowly from cell to cell.
     """
     from scipy import sparse
 
@@ -101,9 +101,9 @@ def polynomials_in_cells(breaks: tuple[Array, Array], coefficients: Array) -> Ar
 
 
 def jumps(breaks: tuple[Array, Array], coefficients: Array, places: tuple[Array, Array]) -> tuple[Array, Array]:
-    """Return how much the highest derivative changes around the cells of places, in both directions.
+    """Return the changes of the highest derivative around the cells of places, in both directions.
 
-    Times the size of the cell to the power of five it estimates what a finer spline would change there.
+    Times the size of the cell to the power of five they estimate the change by a finer spline.
     """
     polynomials = polynomials_in_cells(breaks, coefficients)
     at = [

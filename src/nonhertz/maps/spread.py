@@ -1,4 +1,4 @@
-"""How a solution spreads its load along the contact: the share of the load borne up to a place, and back."""
+"""Distribution of a solution's load along the contact: the fraction of the load up to a position, and its inverse."""
 
 from __future__ import annotations
 
@@ -11,16 +11,17 @@ from nonhertz.model.contact import Contact
 Array = NDArray[np.float64]
 
 ANGLES = np.linspace(0.0, np.pi, QUANTILES)
-# Of the width of a strip [1], and of an end of the bodies [mm].
+# Tolerances relative to the width of a strip [-], and at an end of the bodies [mm].
 _SAME = 1e-9
 
 
 def spread(contact: Contact, edges: Array, line_load: Array, stations: Array) -> tuple[Array, Array]:
-    """Return up to where a contact bears sin^2(k pi / 48) of its load [mm], k = 0 ... 24, and loads on strips [N].
+    """Return positions up to which a contact carries sin^2(k pi / 48) of its load [mm], k = 0 ... 24, and loads [N].
 
-    The share of the load that is borne up to a place is counted as an angle: it is sin^2(angle / 2). A line load that
-    falls to zero linearly makes the angle linear there, so that the place is a smooth function of it. On strips of a
-    graded grid linear interpolation between their edges is exact to a few hundredths of a per cent.
+    The fraction of the load up to a position is expressed by an angle as sin^2(angle / 2). Where a line load falls to
+    zero linearly the angle is linear, so that the position is a smooth function of it. On strips of a graded grid
+    linear interpolation between their edges is exact to a few hundredths of a per cent. The loads are those on strips
+    between ``stations``.
 
     Parameters
     ----------

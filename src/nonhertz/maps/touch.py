@@ -1,4 +1,4 @@
-"""First touch of two bodies: where, and at which approach, they meet at a tilt."""
+"""First touch of two bodies: its position and approach at a tilt."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from nonhertz.result.penetration import deepest
 Array = NDArray[np.float64]
 
 _SAMPLES = 4001
-# Of the whole way that the touch moves: more within a small tilt means a straight length tips over between its ends.
+# Of the whole travel of the touch: more within a small tilt means that a straight length tips over between its ends.
 _TIPPING = 0.2
 _FINE_TILTS = 2001
 
 
 @dataclass(frozen=True)
 class Relief:
-    """The separation of two bodies on a length, sampled once.
+    """The separation of two bodies over a length, sampled once.
 
     Attributes
     ----------
     contact : Contact
     y, separation : ndarray
-        Places [mm] and the undeformed separation there [mm], where it is finite.
+        Positions [mm] and the undeformed separation there [mm], where it is finite.
     """
 
     contact: Contact
@@ -47,7 +47,7 @@ class Relief:
         return -deepest(self.contact.separation, self.y, np.column_stack([np.zeros(tilt.size), tilt]))
 
     def tipping(self, low: float, high: float) -> tuple[float, float, float]:
-        """Return the tilt at which the touch moves fastest, how far it moves there, and within which tilt.
+        """Return the tilt at which the touch moves fastest, its travel there, and the width in tilt.
 
         Parameters
         ----------
@@ -57,7 +57,7 @@ class Relief:
         Returns
         -------
         tuple of float
-            The tilt [rad], the length [mm], zero where the touch moves evenly, and the width [rad].
+            The tilt [rad]; the travel [mm], zero where the touch moves uniformly; and the width [rad].
         """
         tilts = np.linspace(low, high, _FINE_TILTS)
         places = np.array([self._nearest(tilt) for tilt in tilts.tolist()])
@@ -78,5 +78,5 @@ class Relief:
         return float(0.5 * (lower + upper)), float(moved[fastest]), float(step)
 
     def _nearest(self, tilt: float) -> float:
-        """Return the sampled place [mm] that touches first at a tilt [rad]."""
+        """Return the sampled position [mm] that touches first at a tilt [rad]."""
         return float(self.y[int((self.separation - tilt * self.y).argmin())])

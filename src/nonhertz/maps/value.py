@@ -1,4 +1,4 @@
-"""A map as a value: evaluated, inverted, printed, tabulated and kept."""
+"""A map as a value: evaluated, inverted, printed, tabulated and saved."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ COLUMNS = (
     "max_pressure", "max_half_width",
 )  # fmt: skip
 ROWS, TILTS = 41, 21
-#: What is found of a map whose loads or moments are not as accurate as asked.
+#: Code of the finding on a map whose loads or moments miss the requested accuracy.
 INACCURATE = "inaccurate-map"
-BESIDE = 0.02  # error of what a map has beside load and moment that is not warned of
+BESIDE = 0.02  # error of other quantities than load and moment without a warning
 _TILT_ROUNDING = 1e-12  # of the range
 _OF = {
     "load": "of the load",
@@ -49,14 +49,14 @@ _OF = {
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MapPoint(ReadOnly):
-    """What a map says at one point, or at many of shape (...).
+    """State of a map at one point, or at many of shape (...).
 
     Attributes
     ----------
     approach, tilt, load, moment : float or ndarray, shape (...)
         As in `nonhertz.Solution` [mm, rad, N, N mm].
     stiffness : ndarray, shape (..., 2, 2)
-        d(load, moment) / d(approach, tilt), the exact derivative of the stand-in; symmetric.
+        d(load, moment) / d(approach, tilt), the exact derivative of the surrogate; symmetric.
     max_pressure, max_half_width : float or ndarray, shape (...)
         [MPa], [mm].
     """
@@ -92,30 +92,30 @@ class MapPoint(ReadOnly):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ContactMap(HasFindings, ReadOnly, HasHtml):
-    """A stand-in for a contact with sampled errors; made by `nonhertz.maps.contact_map`.
+    """A fast surrogate of a contact with sampled errors; made by `nonhertz.maps.contact_map`.
 
     Attributes
     ----------
     description : str
         The bodies and the strip element in words.
     given : str
-        ``"load"`` or ``"approach"``: what the range was given in.
+        ``"load"`` or ``"approach"``: the quantity in which the range was given.
     pressed : tuple of float
         Lowest and highest load [N] or approach [mm], as given.
     numbers, breaks, mean_approach, others : ndarray
         Range, cells and coefficients of the splines.
     stations : ndarray, shape (stations + 1,)
-        Edges of the strips along the contact [mm] whose loads the map has.
+        Edges of the strips along the contact [mm] whose loads the map contains.
     half_length : float
-        Lever arm [mm] that errors of the moment are relative to.
+        Lever arm [mm] to which errors of the moment are relative.
     accuracy : float
-        What was asked for.
+        The requested accuracy.
     sampled_error : SampledErrors
-        How far the map was from the solver at its check points.
+        Differences from the solver at its check points.
     cases : int
-        Solved cases that it was built from, without the check points of ``sampled_error``.
+        Number of solved cases from which it was built, without the check points of ``sampled_error``.
     failed : int
-        Cases that had no solution, among them and the check points.
+        Number of cases without a solution, check points included.
     """
 
     description: str
@@ -148,13 +148,13 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
 
     @property
     def errors_in_words(self) -> list[tuple[str, str]]:
-        """Each sampled error, and what it is relative to."""
+        """Each sampled error, and the quantity to which it is relative."""
         strips = self.stations.size - 1
         return [(in_share(getattr(self.sampled_error, name)), of.format(strips=strips)) for name, of in _OF.items()]
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
-        """What of the map is not accurate."""
+        """Inaccuracies of the map."""
         return tuple(self._inaccuracies())
 
     def _inaccuracies(self) -> Iterator[Finding]:
@@ -166,10 +166,9 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         beside = zip(self.errors_in_words[2:], astuple(self.sampled_error)[2:-1], strict=True)
         if off := [" ".join(words) for words, error in beside if error > permitted]:
             sentence = (
-                "Beside load and moment, the map is off by more than {percent:g} %: by {off}. Where these matter, take "
-                "them from nonhertz.solve_many."
+                "Errors of the map exceed {percent:g} %: {off}. Where these matter, take them from nonhertz.solve_many."
             )
-            yield finding("inaccurate-beside", sentence, percent=100.0 * permitted, off=" and by ".join(off))
+            yield finding("inaccurate-beside", sentence, percent=100.0 * permitted, off=" and ".join(off))
 
     @property
     def max_load(self) -> float:
@@ -183,7 +182,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
 
     @cached_property
     def table(self) -> Array:
-        """All numbers in a row, which C functions such as `nonhertz.maps.AT_APPROACH` take."""
+        """All numbers in one row, the argument of C functions such as `nonhertz.maps.AT_APPROACH`."""
         count = self.breaks.size - int(self.numbers[-1]) - 1
         return fitting.table(self.numbers, (self.breaks[:count], self.breaks[count:]), self.mean_approach, self.others)
 
@@ -193,7 +192,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         Parameters
         ----------
         approach : array_like
-            delta [mm]; out of contact everything is zero.
+            delta [mm]; out of contact all results are zero.
         tilt : array_like
             gamma [rad]; broadcast against ``approach``.
 
@@ -212,7 +211,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
     def under(self, *, load: ArrayLike, tilt: ArrayLike = 0.0) -> MapPoint:
         """Return approach, moment, stiffness and the rest under loads [N] and at tilts [rad].
 
-        Under no load the approach is that of first touch, and everything else is zero.
+        Under no load the approach is that of first touch, and all other results are zero.
 
         Parameters
         ----------
@@ -245,14 +244,14 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         return MapPoint(*plain[:4], stiffness, *plain[8:])  # type: ignore[call-arg, arg-type]
 
     def strip_loads(self, point: MapPoint, stations: ArrayLike | None = None) -> Array:
-        """Return how the load of points is shared by strips along the contact.
+        """Return the loads on strips along the contact at points.
 
         Parameters
         ----------
         point : MapPoint
             Points of this map.
         stations : array_like, shape (strips + 1,), optional
-            Edges of the strips [mm], ascending; ``stations`` if left out, at which its error is sampled.
+            Edges of the strips [mm], ascending; by default ``stations``, for which errors are sampled.
 
         Returns
         -------
@@ -274,7 +273,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         return loads.reshape(*np.shape(point.load), -1)
 
     def _within(self, tilt: Array) -> Array:
-        """Return tilts, those a rounding error outside the range moved to its end."""
+        """Return tilts, with those outside the range by rounding moved to its end."""
         low, high = self.tilt_range
         slack = _TILT_ROUNDING * (high - low)
         inside = np.clip(tilt, low, high)
@@ -301,7 +300,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         rows : int
             Number of approaches or loads, whichever the range was given in.
         tilts : int
-            Number of tilts; 1 for that in the middle.
+            Number of tilts; 1 for the middle one.
 
         Raises
         ------
@@ -344,7 +343,7 @@ class ContactMap(HasFindings, ReadOnly, HasHtml):
         Raises
         ------
         InputError
-            If the file cannot be read, is none of ours, of a later version, or damaged.
+            If the file cannot be read, was not written by `save`, is of another version, or damaged.
         """
         return cls(**files.load(path))
 

@@ -1,4 +1,4 @@
-"""The verb: a contact and its ranges in, a map out."""
+"""The entry point: a contact and its ranges in, a map out."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Range = tuple[float, float]
 
 STATIONS, MOST_STATIONS = 21, 200
 CHECKS, FEWEST_CHECKS, MOST_CHECKS = 300, 20, 100_000
-_SINGLE = 5e-5  # rad to both sides of a single tilt, for the derivatives
+_SINGLE = 5e-5  # rad on both sides of a single tilt, for the derivatives
 _END_TILTS = 9
 _BEYOND = 1.02  # the largest load between those tilts, over the largest at them
 # Where a straight length tips over: the scale of tilts under no load over that under the largest load.
@@ -49,27 +49,27 @@ def contact_map(
     checks: int = CHECKS,
     callback: Callable[[str], None] | None = None,
 ) -> ContactMap:
-    """Return a stand-in for a contact over approach and tilt, or load and tilt.
+    """Return a fast surrogate of a contact over approach and tilt, or load and tilt.
 
     Parameters
     ----------
     contact : Contact
         The two bodies.
     load : tuple of float, optional
-        Lowest and highest load [N]. Give this or ``approach``. A map always begins at no load; the lower end is where
-        its tables begin.
+        Lowest and highest load [N]. Give this or ``approach``. A map always begins at no load; its tables begin at the
+        lowest load.
     approach : tuple of float, optional
         Lowest and highest approach [mm]; the map reaches up to the largest load in this range, at any tilt.
     tilt : tuple of float or float
         Lowest and highest tilt [rad], or a single one: the map then reaches 0.05 mrad to both sides.
     accuracy : float
-        Largest error of load and moment, relative as `SampledErrors` says, from 1e-6; what was reached is in
-        ``ContactMap.sampled_error``. The solutions scatter by some 1e-5 from grid to grid, which no map undercuts.
+        Largest error of load and moment, relative as in `SampledErrors`, from 1e-6; the errors reached are in
+        ``ContactMap.sampled_error``. The solutions scatter by some 1e-5 from grid to grid, which limits any map.
         Stiffness, pressures, half-widths and loads on strips are less accurate, usually within 1 %.
     element : Element or str
         As in `nonhertz.solve`.
     stations : int or array_like
-        Number of equal strips along the contact whose loads the map has, or their edges [mm].
+        Number of equal strips along the contact whose loads the map contains, or their edges [mm].
     threads : int, optional
         As in `nonhertz.solve_many`; the map does not depend on it.
     checks : int
@@ -89,12 +89,12 @@ def contact_map(
     Warns
     -----
     AccuracyWarning
-        If the sampled error of load or moment exceeds the accuracy, or that of anything else 2 % and the accuracy, as
-        that of loads on strips where the bodies touch in separate stretches.
+        If the sampled error of load or moment exceeds the accuracy, or that of another quantity 2 % and the accuracy,
+        such as loads on strips where the bodies touch in separate intervals.
 
     Notes
     -----
-    The stand-in is a spline for the mean approach, fitted to solved cases; see `nonhertz.maps.evaluation`. Load and
+    The surrogate is a spline for the mean approach, fitted to solved cases; see `nonhertz.maps.evaluation`. Load and
     moment have continuous second derivatives inside the range, and are zero out of contact.
 
     Examples
@@ -187,9 +187,9 @@ def _stations(stations: int | ArrayLike, ends: Range) -> Array:
 
 
 def _extent(building: Building, by_load: bool, pressed: Range, tilts: Range) -> tuple[float, Relief, float]:
-    """Return the largest load, the relief where the bodies can touch, and what the approach grows by up to that load.
+    """Return the largest load, the relief where the bodies can touch, and the increase of the approach up to that load.
 
-    Found by solving under the largest load or approach at a few tilts.
+    They result from solving under the largest load or approach at a few tilts.
     """
     tilt = np.linspace(*tilts, _END_TILTS)
     solutions = building.solve("load" if by_load else "approach", np.full(_END_TILTS, pressed[1]), tilt)

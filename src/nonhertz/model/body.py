@@ -46,18 +46,18 @@ from nonhertz.model.side_faces import (
 )
 
 Array = NDArray[np.float64]
-#: Which of the two bodies of a contact.
+#: Names of the two bodies of a contact.
 BodyName = Literal["a", "b"]
 BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
 
-_TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for all of the body"
+_TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for the whole body"
 _DEPTH_MEANING = (
-    "the point that the displacement is measured against; left out, a roller with free side faces is 'finite', any "
+    "reference point of the elastic displacement; left out, a roller with free side faces is 'finite', any "
     f"other 'plane-strain', and the rest is 'none'; as a number {THICKNESS}"
 )
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
-# What a body may say that has no side faces: the default of today, and of the paper.
+# Values allowed for a body without side faces: today's default and that of the paper.
 _OF_NO_FACE: Final = ("free", "mirror")
 
 
@@ -71,7 +71,7 @@ class Body(Input):
     Raises
     ------
     InputError
-        If a value is out of range, or some do not go together.
+        If a value is out of range or values are inconsistent.
 
     Examples
     --------
@@ -117,7 +117,7 @@ class Body(Input):
         float | None,
         Quantity(
             "mm",
-            "length in the middle that can touch; chamfers or undercuts take the rest away",
+            "length in the middle that can touch; the rest is taken up by chamfers or undercuts",
             positive,
             _TOUCHING_REMEDY,
         ),
@@ -228,7 +228,7 @@ class Body(Input):
             condition = f"only be given where depth = {words}"
             raise InputError("bore", self.bore, condition, f"write depth = {words}, or leave out the bore")
         if self.images == SERIES and self.behind.word == "none" and math.prod(self.face_weights) > 0.0:
-            condition = "only be used for a body with a depth, without which it has no sum"
+            condition = "only be used for a body with a depth: without one the sum of its images does not converge"
             raise InputError("images", self.images, condition, "give the body a depth, or a number of images")
         self.behind.refuse(self)
 
@@ -271,17 +271,17 @@ class Body(Input):
         return (self.position - half, self.position + half)
 
     def __getstate__(self) -> dict[str, Any]:
-        # What follows from the fields is worked out again.
+        # Values derived from the fields are computed again.
         return {name: getattr(self, name) for name in self.descriptions}
 
     @cached_property
     def sides(self) -> tuple[SideFace, SideFace]:
-        """How the side faces at low and high y are treated, if there are any."""
+        """Treatment of the side faces at low and high y, if there are any."""
         return side_faces(self.side_faces)
 
     @cached_property
     def behind(self) -> Depth:
-        """What displacement is measured against."""
+        """Reference point of the displacement."""
         return depth_of(self._usual_depth if self.depth is None else self.depth, convex(self.diameter))
 
     @property
@@ -291,7 +291,7 @@ class Body(Input):
 
     @property
     def model(self) -> str:
-        """How its side faces and its depth are treated, in the words of a case file.
+        """Treatment of side faces and depth, in the words of a case file.
 
         Examples
         --------
@@ -314,7 +314,7 @@ class Body(Input):
 
     @cached_property
     def free_faces(self) -> tuple[bool, bool]:
-        """Whether the side faces at low and high y are free of normal stress, too."""
+        """Whether the side faces at low and high y are also free of normal stress."""
         low, high = (self.length is not None and side.exact for side in self.sides)
         return low, high
 
@@ -327,7 +327,8 @@ class Body(Input):
     def corner_angles(self) -> tuple[float, float]:
         """Angles between surface and side faces at low and high y, within the body [rad].
 
-        They are right but for a whole roller whose surface is not along its axis, to which side faces are square.
+        Right angles, except for a whole roller with a surface inclined to its axis, whose side faces are square to the
+        axis.
         """
         if self.behind.whole and callable(self.diameter):
             return self.outline[0].corner_angles
@@ -340,11 +341,11 @@ class Body(Input):
 
     @property
     def crests(self) -> tuple[float, ...]:
-        """Axial positions [mm] at which the relief may stand out between sampled places."""
+        """Axial positions [mm] at which the relief may have a peak between sampled positions."""
         return tuple(self.position + crest for crest in self.surface.crests)
 
     def relief(self, y: ArrayLike) -> Array:
-        """Return the relief [mm] at the positions ``y`` [mm]."""
+        """Return the relief [mm] at the positions ``y`` [mm], an array of the same shape."""
         return self.relief_at(places(y))
 
     def relief_at(self, y: Array) -> Array:
@@ -352,7 +353,7 @@ class Body(Input):
         return self.surface.relief_at(moved_back(y, self.position, self.surface.extent))
 
     def curvature(self, y: ArrayLike) -> Array:
-        """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], negative where concave.
+        """Return the curvature 1/R [1/mm] across the contact at ``y`` [mm], an array of its shape; negative if concave.
 
         Raises
         ------
@@ -379,8 +380,8 @@ class Body(Input):
 class Roller(Body):
     """A convex body of finite length: `Body` with a positive ``diameter`` and a ``length``.
 
-    By default both its side faces are free and it deforms as a whole. Where that is not to be had, its side faces not
-    being free or its length over 10 diameters, its depth is that of a long cylinder in plane strain.
+    By default both side faces are free and it deforms as a whole. If its side faces are not free, or its length exceeds
+    10 diameters, its depth is that of a long cylinder in plane strain.
 
     Examples
     --------
@@ -400,7 +401,7 @@ class Roller(Body):
 
     @cached_property
     def _usual_depth(self) -> DepthRule:
-        """The roller itself; in plane strain where it cannot be whole."""
+        """The whole roller; plane strain where it cannot deform as a whole."""
         return "finite" if can_be_whole(self) else "plane-strain"
 
 

@@ -32,7 +32,7 @@ class Contact(Input):
     Raises
     ------
     InputError
-        If the bodies share no axial interval, or are nowhere closer than conforming.
+        If the bodies do not overlap along y, or their combined curvature is not positive.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class Contact(Input):
     0.1
     """
 
-    a: Annotated[Body, Part("one body; their order matters only for what is reported about each", Body, _MADE_BY)]
+    a: Annotated[Body, Part("one body; the order matters only for results about each body", Body, _MADE_BY)]
     b: Annotated[Body, Part("the other body", Body, _MADE_BY)]
 
     @cross_check("a", "b")
@@ -71,10 +71,10 @@ class Contact(Input):
 
     @property
     def land(self) -> tuple[float, float]:
-        """The part of ``interval`` [mm] without corners or chamfers, whose length ISO 281 calls effective."""
+        """The part of ``interval`` [mm] without corners or chamfers; its length is the effective length of ISO 281."""
         (low_a, high_a), (low_b, high_b) = self.a.land, self.b.land
         low, high = max(low_a, low_b), min(high_a, high_b)
-        # Chamfers may leave nothing between them, and the lands of both bodies may miss each other.
+        # Chamfers may leave nothing between them, and the lands of the two bodies may not overlap.
         return (low, high) if low < high else self.interval
 
     @cached_property
@@ -84,7 +84,7 @@ class Contact(Input):
 
     @cached_property
     def crests(self) -> tuple[float, ...]:
-        """Axial positions [mm] at which either relief may stand out, ascending; bends are among them."""
+        """Axial positions [mm] at which either relief may have a peak, ascending; they include the bends."""
         return tuple(sorted({*self.a.crests, *self.b.crests, *self.bends}))
 
     @cached_property
@@ -100,7 +100,7 @@ class Contact(Input):
         return {name: getattr(self, name) for name in self.descriptions}
 
     def separation(self, y: ArrayLike) -> Array:
-        """Return the undeformed separation h [mm] on the centre line: the sum of both reliefs."""
+        """Return the undeformed separation h [mm] on the centre line at ``y`` [mm]: the sum of both reliefs."""
         return self.separation_at(places(y))
 
     def separation_at(self, y: Array) -> Array:
@@ -108,7 +108,7 @@ class Contact(Input):
         return self.a.relief_at(y) + self.b.relief_at(y)
 
     def curvature(self, y: ArrayLike) -> Array:
-        """Return the combined curvature 1/rho = 1/rho_a + 1/rho_b [1/mm] across the contact.
+        """Return the combined curvature 1/rho = 1/rho_a + 1/rho_b [1/mm] across the contact at ``y`` [mm].
 
         Raises
         ------
@@ -136,7 +136,7 @@ def sharper_curvature(contact: Contact, y: Array) -> Array:
 
 
 def get_or_compute(contact: Contact, what: Hashable, make: Callable[[], Derived]) -> Derived:
-    """Return what follows from a contact alone, worked out by ``make`` once and kept with it."""
+    """Return a value derived from a contact, computed by ``make`` once and stored with the contact."""
     known = contact._derived
     if what not in known:
         known[what] = make()

@@ -23,24 +23,24 @@ Array = NDArray[np.float64]
 
 _STEP = 1e-6  # of the land, for slope and curvature near its ends
 _SHARPEST = 10.0  # over the extent of a corner: the largest curvature of a land before it
-_PLACES, _SECTIONS = 32, 6  # of the search for that curvature, which leave a billionth of the land
+_PLACES, _SECTIONS = 32, 6  # of the search for that curvature: they narrow it to a billionth of the land
 
 
 class Corner(ABC):
-    """What takes the ends of a body away, beginning with the slope that its profile has there."""
+    """The shape of a body between the end of its profile and a side face; it begins with the slope of the profile."""
 
     @property
     @abstractmethod
     def extent(self) -> float:
-        """Length along the axis from where it begins to the side face [mm]."""
+        """Length along the axis from its beginning to the side face [mm]."""
 
     def drop(self, distance: ArrayLike) -> Array:
-        """Return how far it lies below the tangent at its beginning [mm].
+        """Return the drop below the tangent at its beginning [mm].
 
         Parameters
         ----------
         distance : array_like
-            From its beginning along the axis [mm], not negative; beyond its extent the result means nothing.
+            Distance from its beginning along the axis [mm], not negative; beyond its extent the result is meaningless.
         """
         return self.drop_at(numbers("distance", distance, "give distances from the end of the land in mm"))
 
@@ -50,7 +50,7 @@ class Corner(ABC):
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """Distances from its beginning at which its slope or curvature jumps [mm], beside 0."""
+        """Distances from its beginning at which its slope or curvature jumps [mm], other than 0."""
         return ()
 
 
@@ -120,7 +120,7 @@ class Chamfer(Input, Corner):
         float,
         Quantity(
             "mm",
-            "radius of the arc between surface and chamfer; 0 for an edge, where pressure has no limit",
+            "radius of the arc between surface and chamfer; 0 for an edge, where the pressure is singular",
             not_negative,
             "give the radius of the arc between surface and chamfer in mm, or 0 for an edge",
         ),
@@ -159,9 +159,10 @@ class Chamfer(Input, Corner):
 class Cornered(Formula):
     """A profile up to the ends of a land, and corners from there to the side faces.
 
-    Corners begin with the slope that the profile has there. Where the profile ends in an edge, such as a logarithm at
-    the place where it becomes infinite, it continues along its tangent from where its radius of curvature has fallen to
-    a tenth of the corner's extent: what is farther out is too narrow to bear. So the surface is finite and smooth.
+    Corners begin with the slope of the profile at the end of the land. Where the profile ends in an edge, such as a
+    logarithm where it becomes infinite, it continues along its tangent from where its radius of curvature has fallen to
+    a tenth of the corner's extent: the part farther out is too narrow to carry load. The surface is thus finite and
+    smooth.
 
     Parameters
     ----------
@@ -198,7 +199,7 @@ class Cornered(Formula):
 
     @cached_property
     def tangents(self) -> Array:
-        """Where the tangents at low and high y begin: distance from the middle, relief and slope, shape (2, 3)."""
+        """Beginning of the tangents at low and high y: distance from the middle, relief and slope, shape (2, 3)."""
         return np.array([self._tangent(side) for side in (-1.0, 1.0)])
 
     def _tangent(self, side: float) -> tuple[float, float, float]:
@@ -225,7 +226,7 @@ class Cornered(Formula):
         """Return relief, slope outwards and curvature times the corner's extent on one side; NaN past its end."""
         step = _STEP * self.land_end
         places = side * (distance - step * np.arange(3.0)[:, None])
-        # In a row, which a user's own profile may rely on.
+        # One-dimensional, as a user's own profile may expect.
         relief = self.land.relief_at(places.ravel()).reshape(places.shape)
         with np.errstate(invalid="ignore"):
             slope = (3.0 * relief[0] - 4.0 * relief[1] + relief[2]) / (2.0 * step)
@@ -249,14 +250,14 @@ class Cornered(Formula):
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """Those of the land, where it continues along its tangent, and where corners begin and bend."""
+        """Bends of the land, beginnings of the tangents, and beginnings and bends of the corners."""
         outwards = (self.land_end, *(self.land_end + place for place in self.corner.bends))
         low, high = self.tangents[:, 0].tolist()
         return tuple(sorted({*self._on_land(self.land.bends), -low, high, *outwards, *(-place for place in outwards)}))
 
     @property
     def crests(self) -> tuple[float, ...]:
-        """Those of the land, and its ends."""
+        """Crests of the land, and its ends."""
         return tuple(sorted({*self._on_land(self.land.crests), -self.land_end, self.land_end}))
 
     @property

@@ -1,6 +1,6 @@
-"""What displacement is measured against, a row for each choice; a new one appears in Python, case files and web form.
+"""Reference points of displacement, one row for each; a new row appears in Python, case files and web form.
 
-What it does to the influence of loads is in `nonhertz.bodies.depths`.
+Their effect on the influence of loads is in `nonhertz.bodies.depths`.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ def _refuse_free_faces(body: Body) -> None:
 
 @dataclass(frozen=True)
 class Depth:
-    """What the displacement of a body is measured against.
+    """Reference point of a body's displacement.
 
     Attributes
     ----------
     word : str
         Its keyword in files and Python; empty if given as a number.
     meaning : str
-        Where that is, as it follows the word in descriptions of case files.
+        Its place, as it follows the word in descriptions of case files.
     reference : str
         The same, as it follows "is measured against".
     of_diameter : bool
-        Whether only a body that is convex everywhere can have it.
+        Whether it requires a body that is convex everywhere.
     whole : bool
         Whether the body deforms as a whole, with its bore if it has one.
     refuse : callable
@@ -61,7 +61,7 @@ class Depth:
 
     @property
     def shown(self) -> str:
-        """What a file gives for it."""
+        """Its value in a file."""
         return self.word or f"{mm(self.thickness):.6g}"
 
     @property
@@ -77,7 +77,7 @@ DEPTHS: Final = {
         Depth("none", "far away", "a point far away: it is a half-space of infinite depth"),
         Depth(
             "plane-strain",
-            "where it makes the compression of a long cylinder that of plane strain",
+            "at the depth at which a long cylinder has the compression of plane strain",
             "the depth that makes the compression of a long cylinder that of plane strain",
             of_diameter=True,
             source="K. L. Johnson, Contact Mechanics, Cambridge University Press, 1985, Section 5.6, Eq. (5.57), "
@@ -109,7 +109,7 @@ DEPTH_REMEDY: Final = f"write {', '.join(map(repr, DEPTHS))} or a depth in mm su
 
 
 def depth_of(rule: DepthRule, convex: bool) -> Depth:
-    """Return what displacement is measured against by a rule.
+    """Return the reference point that a rule stands for.
 
     Raises
     ------

@@ -60,14 +60,14 @@ Diameter = float | TabulatedDiameter | Callable[[Array], ArrayLike] | None
 
 
 def convex(diameter: Diameter) -> bool:
-    """Return whether a diameter is positive, as far as is known before the place of contact is."""
+    """Return whether a diameter is positive, as far as that is known before the contact is placed."""
     if isinstance(diameter, TabulatedDiameter):
         return max(diameter.diameter) > 0.0
     return callable(diameter) or (isinstance(diameter, Real) and diameter > 0.0)
 
 
 def check_diameter(name: str, value: Any, remedy: str) -> None:
-    """Refuse what is no diameter of a surface."""
+    """Refuse anything but the diameter of a surface."""
     if isinstance(value, TabulatedDiameter):
         if 0.0 in value.diameter:
             raise InputError(name, value.diameter, "not be zero", remedy)
@@ -79,7 +79,7 @@ def check_diameter(name: str, value: Any, remedy: str) -> None:
 
 
 def check_bore(name: str, value: Any, remedy: str) -> None:
-    """Refuse what is no diameter of a bore."""
+    """Refuse anything but the diameter of a bore."""
     if not isinstance(value, TabulatedDiameter):
         positive(name, value, remedy)
     elif min(value.diameter) < 0.0:

@@ -21,12 +21,12 @@ _STRENGTH_REMEDY: Final = "give the stress in MPa, or leave it out where it is n
 #: Young's moduli of steels [MPa].
 STEEL_MODULUS: Final = 195e3, 220e3
 _STEEL_HARDNESS: Final = {"HV": (650.0, 1000.0), "HRC": (58.0, 70.0), "HBW": (600.0, 650.0)}
-# A modulus below the one and a Poisson's ratio below the other are those of no metal, ceramic or solid polymer, but are
-# those of metals and ceramics if the modulus is in GPa. Rubber has 0.49, polyethylene 0.45.
+# No metal, ceramic or solid polymer has both a modulus and a Poisson's ratio below these; metals and ceramics have if
+# the modulus is in GPa. Rubber has 0.49, polyethylene 0.45.
 _SOFT: Final = 1000.0, 0.4
 _IN_GPA: Final = (
-    "A modulus of {modulus:g} with a Poisson's ratio of {poisson:g} is that of no metal, ceramic or solid polymer, "
-    "only of cork or foam: give the modulus in MPa, 207000 for steel."
+    "A modulus of {modulus:g} with a Poisson's ratio of {poisson:g} is plausible only for cork or foam: "
+    "give the modulus in MPa, 207000 for steel."
 )
 _SQRT_3: Final = math.sqrt(3.0)
 
@@ -66,8 +66,8 @@ class Material(Input):
 
     Notes
     -----
-    What a material bears does not change how it deforms: contacts are solved as elastic.
-    `nonhertz.strength.assess` compares solutions with it.
+    Strength does not change the deformation: contacts are solved as elastic. `nonhertz.strength.assess` compares
+    solutions with the strength.
 
     Examples
     --------
@@ -88,7 +88,7 @@ class Material(Input):
         float | None,
         Quantity(
             "MPa",
-            "yield strength or 0.2 % proof strength, of a hardened case that of the case",
+            "yield strength or 0.2 % proof strength; for a case-hardened body that of the case",
             positive,
             _STRENGTH_REMEDY,
         ),
@@ -118,7 +118,7 @@ class Material(Input):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.modulus < _SOFT[0] and self.poisson < _SOFT[1]:
-            # Four calls up: the constructor of inputs and that of the dataclass are between this and the user's line.
+            # Four calls up: two constructors, of inputs and of the dataclass, lie between this line and the user's.
             warn([finding("modulus-in-gpa", _IN_GPA, modulus=mpa(self.modulus), poisson=self.poisson)], stacklevel=4)
 
     @property
@@ -138,9 +138,9 @@ class Material(Input):
 
 
 def is_steel(material: Material) -> bool:
-    """Return whether a material is as stiff as bearing steel and as hard, if its hardness is known.
+    """Return whether a material is as stiff as bearing steel and, if its hardness is known, as hard.
 
-    ISO 281 is for hardened steel, of 58 HRC and more; ceramics that are as stiff as steel are harder.
+    ISO 281 applies to hardened steel of 58 HRC and more; ceramics as stiff as steel are harder.
     """
     if not STEEL_MODULUS[0] <= material.modulus <= STEEL_MODULUS[1]:
         return False

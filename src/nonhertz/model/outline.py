@@ -21,20 +21,20 @@ Array = NDArray[np.float64]
 _KINK = 0.03  # change of slope at which an outline has a corner
 _SHORTEST, _LONGEST = 0.1, 10.0  # length over diameter
 _THINNEST, _STEEPEST = 0.08, 0.28  # wall over radius, and slope of the surface
-_SAMPLES = 33  # of a diameter that is a function
+_SAMPLES = 33  # of a diameter given as a function
 _DIGITS = 12
 
 
 @dataclass(frozen=True)
 class Outline:
-    """Radii of the surface and of the bore along the axis, linear between places; all in some radius of the surface.
+    """Radii of the surface and of the bore along the axis, linear between points; lengths over a radius of the surface.
 
     Parameters
     ----------
     z : tuple of float
         Axial positions from the middle, ascending, from one side face to the other.
     outer, inner : tuple of float
-        Radii of the surface and of the bore there; 0 where there is none.
+        Radii of the surface and of the bore there; 0 where there is no bore.
     """
 
     z: tuple[float, ...]
@@ -43,7 +43,7 @@ class Outline:
 
     @classmethod
     def cylinder(cls, half_length: float, bore: float = 0.0) -> Outline:
-        """Return that of a cylinder of radius 1."""
+        """Return the outline of a cylinder of radius 1."""
         return cls((-half_length, half_length), (1.0, 1.0), (bore, bore))
 
     @property
@@ -64,7 +64,7 @@ class Outline:
 
     @property
     def wall(self) -> float:
-        """The thinnest wall; that of a solid one is the radius."""
+        """The thinnest wall; the radius of a solid roller."""
         return min(outer - inner for outer, inner in zip(self.outer, self.inner, strict=True))
 
     @property
@@ -74,7 +74,7 @@ class Outline:
 
     @cached_property
     def kinks(self) -> tuple[float, ...]:
-        """Axial positions of corners of the outline, but for the side faces."""
+        """Axial positions of corners of the outline, other than at the side faces."""
         sharp = np.any(np.abs(np.diff(self._slopes, axis=1)) > _KINK, axis=0)
         return tuple(place for place, is_sharp in zip(self.z[1:-1], sharp, strict=True) if is_sharp)
 
@@ -94,7 +94,7 @@ class Outline:
         return slopes
 
     def slopes(self, z: Array) -> tuple[Array, Array]:
-        """Return how both radii change along the axis at places between the points."""
+        """Return the slopes of both radii along the axis at positions between the points."""
         at = np.clip(np.searchsorted(self._points[0], z) - 1, 0, len(self.z) - 2)
         return self._slopes[0, at], self._slopes[1, at]
 
@@ -104,7 +104,7 @@ class Outline:
         return cosine
 
     def girths(self, z: Array) -> Array:
-        """Return the distances of the surface from the axis, of which the radii are those normal to the surface."""
+        """Return the distances of the surface from the axis; the radii are measured normal to the surface."""
         girth: Array = self.radii(z)[0] * self.cosines(z)
         return girth
 
@@ -132,14 +132,14 @@ def outline_of(body: Body) -> tuple[Outline, float]:
     bore = inner_diameter(z) if callable(inner_diameter) else np.full(z.shape, inner_diameter)
     radius = 1.0 / float(body.curvature(np.array([middle]))[0])
     rows: tuple[Array, ...] = (z, 1.0 / curvature, 0.5 * np.asarray(bore, dtype=float))
-    # Rounded, so that the same shape in another unit of length is known again. Sizes beyond all numbers are refused.
+    # Rounded, so that the same shape in another unit of length is recognised. Sizes that overflow are refused.
     with np.errstate(all="ignore"):
         places, outer, inner = (tuple(np.round(row / radius, _DIGITS).tolist()) for row in rows)
     return Outline(places, outer, inner), radius
 
 
 def refuse_unless_whole(body: Body) -> None:
-    """Refuse a body that is no roller with free ends."""
+    """Refuse a body other than a roller with free ends."""
     if body.length is None or not all(body.free_faces):
         raise _not_whole_error(
             body, "only be used for a body with two free side faces", "write side_faces = 'free', or "
@@ -160,7 +160,7 @@ def refuse_unless_whole(body: Body) -> None:
 
 
 def _not_whole_error(body: Body, condition: str, first: str = "", wall: float | None = None) -> InputError:
-    """Return the error for a body that cannot deform as a whole: about its bore, which needs that, if it has one."""
+    """Return the error for a body that cannot deform as a whole: about its bore, which requires that, if it has one."""
     if body.bore is None:
         return InputError("depth", "finite", condition, f"{first}write depth = 'plane-strain'")
     instead = "" if wall is None else f", and give the thickness of the wall instead, depth = {wall:.6g}"
@@ -168,7 +168,7 @@ def _not_whole_error(body: Body, condition: str, first: str = "", wall: float | 
 
 
 def can_be_whole(body: Body) -> bool:
-    """Return whether a body can deform as a whole, or has a bore, whose own sentence says why it cannot."""
+    """Return whether a body can deform as a whole, or has a bore, whose own error says why it cannot."""
     try:
         refuse_unless_whole(body)
     except InputError:

@@ -1,4 +1,4 @@
-"""What a contact is subjected to: approach or load, and tilt or moment."""
+"""Loading of a contact: approach or load, and tilt or moment."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from nonhertz.inputs.descriptions import Quantity
 from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.contact import Contact, get_or_compute
 
-# Compliance times load over the square of the bodies' smallest size, and of their largest. Below the first, the contact
-# is lost in the rounding of the relief beside it; strips and cells solved 14 contacts of all shapes down to 1e-22. At
-# the second it is hundreds of times wider than the bodies.
+# Bounds of compliance times load over the square of the bodies' smallest and largest size. Below the first, the relief
+# beside the contact is lost in rounding; strips and cells solved 14 contacts of all shapes down to 1e-22. At the
+# second the contact is hundreds of times wider than the bodies.
 LEAST, MOST = 1e-22, 1e6
-# Sine and tangent differ by 5 % there, and relief is measured at right angles to a body that is not tilted.
+# Sine and tangent differ by 5 % there, and relief is measured normal to a body that is not tilted.
 MOST_TILT = 0.3  # rad
 
 
@@ -31,7 +31,7 @@ def _small(name: str, tilt: float, remedy: str) -> None:
 
 @input_class(kw_only=True)
 class Prescription(Input):
-    """What presses the bodies together: load or approach, and tilt or moment; the other two are results."""
+    """Loading of the bodies: load or approach, and tilt or moment; the other two are results."""
 
     instead: ClassVar[Mapping[str, str]] = {"approach": "load", "moment": "tilt"}
 
@@ -63,7 +63,7 @@ class Prescription(Input):
 
     @property
     def by_force(self) -> tuple[bool, bool]:
-        """Whether the load, else the approach, and the moment, else the tilt, are given."""
+        """Whether the load is given rather than the approach, and the moment rather than the tilt."""
         return self.load is not None, self.moment is not None
 
     @property
@@ -73,7 +73,7 @@ class Prescription(Input):
 
     @property
     def arm(self) -> float | None:
-        """Moment over load [mm], where both are given."""
+        """Moment over load [mm] if both are given, else None."""
         return None if self.load is None or self.moment is None else self.moment / self.load
 
     def target(self, compliance: float) -> tuple[float, float]:
@@ -129,12 +129,12 @@ def refuse_load(contact: Contact, load: float) -> None:
 
 
 def refuse_unpaired(approach: object, load: object, tilt: object, moment: object) -> None:
-    """Refuse anything but exactly one of approach and load, and at most one of tilt and moment; None is not given.
+    """Refuse anything but exactly one of approach and load, and at most one of tilt and moment; None means not given.
 
     Raises
     ------
     InputError
-        If there are too few or too many.
+        If neither or both of a pair are given.
     """
     if load is None and approach is None:
         raise InputError("load", None, "be given", "give the load in N, or an approach in mm")

@@ -1,8 +1,8 @@
-"""How a side face is treated, a row for each way; a new one appears in Python, case files and web form at once.
+"""Treatments of a side face, one row for each; a new row appears in Python, case files and web form.
 
-A side face of a half-space is freed of shear by an image of the pressure behind it. The image doubles the normal
-stress on the face instead of removing it, so the end is still too stiff; a weight above 1 compensates for part of that,
-and what an elastic quarter-space adds (`nonhertz.bodies.quarter_space`) for all of it.
+An image of the pressure behind a side face of a half-space removes the shear stress on the face. The image doubles the
+normal stress there instead of removing it, so the end is still too stiff; a weight above 1 compensates for part of
+that, the correction for an elastic quarter-space (`nonhertz.bodies.quarter_space`) for all of it.
 """
 
 from __future__ import annotations
@@ -26,22 +26,22 @@ _WEIGHT: Final = (1.10, 1.35, 1.45, 1.50, 1.60, 1.65, 1.95)
 
 @dataclass(frozen=True)
 class SideFace:
-    """How far, and by what means, one side face is freed of stress.
+    """Treatment of one side face: how, and how far, it is freed of stress.
 
     Attributes
     ----------
     word : str
         Its keyword in files and Python; empty if given as a number.
     meaning : str
-        What it does, as it follows the word in descriptions of case files.
+        Its effect, as it follows the word in descriptions of case files.
     weight : float or None
-        Weight of the first mirror image about the face, zero for no image; None for that which comes closest to a
+        Weight of the first mirror image about the face, zero for no image; None for the weight that comes closest to a
         free face.
     exact : bool
-        Whether the normal stress that an image leaves is taken away, too.
+        Whether the normal stress that an image leaves is removed as well.
     of_body : bool
         Whether the body ends there, so that its field below the surface is free of stress on the face, however the
-        pressure was found.
+        pressure was computed.
     """
 
     word: str
@@ -53,7 +53,7 @@ class SideFace:
     def image_weight(self, poisson: float) -> float:
         """Return the weight of the image: this face's part of kappa, which governs a sharp end.
 
-        One that was fitted is linear between Poisson's ratios; outside 0 to 0.4, where nothing was fitted, the nearest.
+        A fitted weight is linear between Poisson's ratios and constant outside the range of the fit, 0 to 0.4.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Any gap on a plane grid: uniform-pressure rectangles, the independent check of the strips.
+"""Contacts with any gap, on a plane grid of rectangles with uniform pressure: an independent check of the strips.
 
 The surface is divided into equal rectangles, each with its own pressure, and nothing is assumed about how the pressure
 is distributed across the contact, whether it is symmetric, or how many separate contacts there are: dents, waves and

@@ -1,10 +1,10 @@
-"""What the gap does between cell centres, which a solution on these cells does not see.
+"""The gap between cell centres, which a solution on these cells cannot include.
 
-The gap is evaluated again at sixteen places in every cell. Where it is smooth on the scale of cells, cubic
-interpolation between cell centres predicts it there. Where it is smaller than predicted, the bodies overlap unseen by
-the difference less the clearance of the solution: a small contact or a pressure peak that these cells miss. Where the
-bodies touch, the deviation either way, divided by the displacement per unit of pressure on such a part of a cell, is
-the possible error of the pressure. A body smaller than a quarter of a cell may still lie between all places.
+The gap is evaluated again at sixteen points in every cell. Where it is smooth on the scale of cells, cubic
+interpolation between cell centres predicts it there. Where it is smaller than predicted, the bodies overlap undetected
+by the difference minus the clearance of the solution: a small contact or a pressure peak that these cells miss. Where
+the bodies touch, the deviation either way, divided by the displacement per unit of pressure on such a part of a cell,
+is the possible error of the pressure. A body smaller than a quarter of a cell may still lie between all points.
 """
 
 from __future__ import annotations
@@ -23,25 +23,25 @@ from nonhertz.patch.verdict import displacement
 Array = NDArray[np.float64]
 
 PARTS = 4  # per side of a cell
-# Rows of cells at a time: a fraction of all, so that sixteen places per cell take less memory than the solve.
+# Rows of cells at a time: a fraction of all, so that sixteen points per cell take less memory than the solve.
 SHARE, FEWEST_ROWS, MOST_ROWS = 64, 4, 32
 MOST_CANDIDATES = 60
 
 
 @dataclass(frozen=True)
 class Unseen:
-    """What lies between cell centres.
+    """Overlap between cell centres.
 
     Attributes
     ----------
     overlap : float
-        Largest overlap there [mm], zero if there is none.
+        Largest overlap between cell centres [mm], zero if there is none.
     x, y : float
-        Where it is [mm].
+        Its position [mm].
     pressure : float
-        By how much it may raise the largest pressure [MPa].
+        Possible increase of the largest pressure [MPa].
     lift : float
-        Approximately how far the bodies would have to move apart, the overlap averaged over the contact [mm].
+        Approximate distance by which the bodies would have to move apart: the overlap averaged over the contact [mm].
     """
 
     overlap: float
@@ -52,7 +52,7 @@ class Unseen:
 
 
 def find_unseen_overlap(solution: PatchSolution, gap: Gap) -> Unseen:
-    """Return what the gap (x, y) [mm] -> [mm] does between the cell centres of a solution."""
+    """Return the overlap of the gap (x, y) [mm] -> [mm] between the cell centres of a solution."""
     undeformed = gap(solution.x[:, None], solution.y[None, :])
     whole = np.isfinite(undeformed)
     known, clearance = np.where(whole, undeformed, 0.0), np.where(whole, solution.gap, 0.0)
@@ -69,7 +69,7 @@ def find_unseen_overlap(solution: PatchSolution, gap: Gap) -> Unseen:
     # A profile that falls away where the contact ends, as a logarithmic one does, does not raise the pressure there.
     inner = ndimage.binary_erosion(solution.footprint, around)
     near, holes = ndimage.binary_dilation(solution.footprint, around), sparse.csr_array(~whole, dtype=float)
-    # For a part of a cell, not a whole cell: what is unseen may be that narrow, and then raises the pressure more.
+    # For a part of a cell, not a whole cell: a peak may be that narrow, and then raises the pressure more.
     side = edges_from(0.0, 1, solution.dx / PARTS), edges_from(0.0, 1, solution.dy / PARTS)
     own = solution.contact.compliance * float(rectangles(*side)[0, 0])
     deepest, highest, lifted = (0.0, 0.0, 0.0), 0.0, 0.0
@@ -79,7 +79,7 @@ def find_unseen_overlap(solution: PatchSolution, gap: Gap) -> Unseen:
         cells = slice(start, min(start + step, solution.cells[0]))
         rows = slice(PARTS * start, PARTS * cells.stop)
         here = gap(x[rows, None], y[None, :])
-        # Where a node of the interpolation has no body, smooth and rough cannot be distinguished.
+        # Smooth and rough gaps cannot be distinguished where a node of the interpolation has no body.
         regular = (abs(cubic[0][rows]) @ holes @ abs(cubic[1]).T).toarray() == 0.0
         regular &= np.isfinite(here)
         nearer = np.subtract(cubic[0][rows] @ known @ cubic[1].T, here, out=np.zeros_like(here), where=regular)
@@ -91,7 +91,7 @@ def find_unseen_overlap(solution: PatchSolution, gap: Gap) -> Unseen:
         # A hollow spreads its load over its rim, a peak carries its load alone.
         rough = np.where(inner[cells], _of_cells(np.maximum(nearer, -nearer / PARTS)), unseen)
         highest = max(highest, float(np.max(solution.pressure[cells] + rough / own)))
-        # Bodies that no cell centre lies on.
+        # Bodies without a cell centre on them.
         lone = np.where(regular | np.kron(near[cells], np.ones((PARTS, PARTS), dtype=bool)), np.inf, here)
         depth = solution.approach + solution.tilt * y - lone
         deep, along = np.nonzero(depth > 0.0)

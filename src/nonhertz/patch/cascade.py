@@ -44,7 +44,7 @@ class PatchProblem:
     gap : Surface
         The bodies and their undeformed gap.
     prescribed : Prescription
-        What is prescribed.
+        The prescribed load or approach, and tilt or moment.
     """
 
     gap: Surface
@@ -74,7 +74,7 @@ class PatchProblem:
             rows = grid.y[np.isfinite(undeformed).any(axis=0)]
             low, high = float(rows[0]), float(rows[-1])
             if not rough:
-                where = "the centres of the outermost cells that can bear a pressure"
+                where = "the centres of the outermost cells that can carry a pressure"
                 refuse_beyond(self.prescribed, (low, high), where, "give more cells along or a larger region")
             elif by_force[0]:
                 # A coarse grid may have no cell that far out.
@@ -90,7 +90,7 @@ class PatchProblem:
 def refuse_beyond(prescription: Prescription, arms: Span, where: str, remedy: str, bearing: Span | None = None) -> None:
     """Refuse a moment that no pressure between two lever arms [mm] can produce.
 
-    ``where`` says what they are; only the signs of those of ``bearing``, if they are others, have to be right.
+    ``where`` describes the lever arms in words. If ``bearing`` holds other arms, only their sign must match the moment.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def refuse_beyond(prescription: Prescription, arms: Span, where: str, remedy: st
 
 @dataclass(frozen=True)
 class GridLevel:
-    """What is kept from a grid: enough to compute how much a finer one changes."""
+    """Results kept from a grid: enough to compute the change on a finer one."""
 
     cells: tuple[int, int]
     approach: float
@@ -139,12 +139,12 @@ class Outcome:
 def solve_on(
     problem: PatchProblem, grid: Grid, tolerance: float, pool: Executor | None = None, rough: bool = False
 ) -> Outcome:
-    """Solve on coarser grids first and on the given one last, which may itself be ``rough``.
+    """Solve on coarser grids first and on the given grid, which may itself be ``rough``, last.
 
     Raises
     ------
     InputError
-        If the grid is not rough and no cell has a body; on a rough one nothing touches then.
+        If the grid is not rough and no cell has a body; on a rough grid the result is then without contact.
     """
     pressure, rigid, levels, count = None, (0.0, 0.0), [], 0
     for level in (*reversed(list(grid.coarser())), grid):
@@ -193,7 +193,7 @@ def solve_on_half(
 def refine_pressure(pressure: Array, cells: tuple[int, int]) -> Array:
     """Return a pressure on a finer grid over the same region, linear between cell centres.
 
-    The footprint comes out somewhat too large, which is the safe side: cells leave it more readily than they enter.
+    The footprint becomes slightly too large, which is the safe side: cells leave it more readily than they enter.
     """
     places = [(np.arange(new) + 0.5) * (old / new) - 0.5 for old, new in zip(pressure.shape, cells, strict=True)]
     across, along = (interpolation(positions, old, 2) for positions, old in zip(places, pressure.shape, strict=True))

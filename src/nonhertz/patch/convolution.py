@@ -6,9 +6,9 @@ twice the size, so that nothing wraps around from one side of the region to the 
 The kernel is even across the contact, and the direct effect along it too: its spectrum is a cosine transform, real,
 and a quarter of the doubled grid. Side faces add terms (`nonhertz.bodies.influence`). A shifted copy of the pressure
 changes the spectrum, which is then complex. A mirrored copy is a convolution with the mirrored pressure, whose spectrum
-is the conjugate, reversed in x: one more product, and no further transform. What free side faces add is a convolution
-across only: a small matrix for every wave number there (`nonhertz.patch.free_faces`). The displacement at depth below
-the centre line depends only on the line loads: a matrix, subtracted from all cells of a row.
+is the conjugate, reversed in x: one more product, and no further transform. The correction for free side faces is a
+convolution across only: a small matrix for every wave number there (`nonhertz.patch.free_faces`). The displacement at
+depth below the centre line depends only on the line loads: a matrix, subtracted from all cells of a row.
 
 References
 ----------
@@ -91,7 +91,7 @@ class Convolution:
         return displacement
 
     def _kernel(self, of: Callable[[Array], Array], shape: tuple[int, ...]) -> Array:
-        """Return a kernel at distances from x = 0 across, of given shape at each, from what it is between edges."""
+        """Return a kernel of given shape at distances from x = 0 across, from a function of the edges across."""
         x_edges = edges_from(0.0, self._half[0] + 1, self.grid.dx)
         kernel = np.empty((x_edges.size - 1, *shape))
 

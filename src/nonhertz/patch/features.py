@@ -1,7 +1,7 @@
-"""What strips cannot represent: reliefs that also vary across the contact.
+"""Features that strips cannot represent: relief that also varies across the contact.
 
 Every feature is a callable value that takes positions x, y [mm] and returns a relief [mm], positive where material is
-removed, which is added to the gap of the bodies. Any function of x and y will do as your own.
+removed, which is added to the gap of the bodies. Any function of x and y can be used as well.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _SHOULDER_REMEDY = "give the outer diameter of the shoulder in mm, or leave it o
 
 @input_class(kw_only=True)
 class Dent(Input):
-    """A round dent, as a hard particle leaves in a raceway when it is rolled over, with an optional shoulder.
+    """A round dent, such as an over-rolled hard particle leaves in a raceway, with an optional shoulder.
 
     The bowl is depth cos^2(pi s / diameter) within s = diameter / 2 of its centre, with a smooth rim. The
     shoulder is material pushed up around it: -shoulder sin^2(2 pi (s - diameter/2) / (shoulder_diameter - diameter))
@@ -48,8 +48,8 @@ class Dent(Input):
     [0.003, 0.0, -0.0005]
     """
 
-    x: Annotated[float, Quantity("mm", "where its centre lies across the contact", finite, _CENTRE_REMEDY)] = 0.0
-    y: Annotated[float, Quantity("mm", "where it lies along the contact", finite, _CENTRE_REMEDY)] = 0.0
+    x: Annotated[float, Quantity("mm", "position of its centre across the contact", finite, _CENTRE_REMEDY)] = 0.0
+    y: Annotated[float, Quantity("mm", "position of its centre along the contact", finite, _CENTRE_REMEDY)] = 0.0
     depth: Annotated[float, Quantity("mm", "depth of the bowl", positive, "give the depth of the dent in mm")]
     diameter: Annotated[float, Quantity("mm", "diameter of the bowl", positive, "give the diameter of the dent in mm")]
     shoulder: Annotated[
@@ -103,11 +103,11 @@ class Waviness:
     Parameters
     ----------
     amplitude : float
-        Half the height from valley to crest [mm].
+        Half the height from trough to crest [mm].
     wavelength : float
         Distance from crest to crest [mm], positive.
     direction : str or float
-        The direction in which the waves follow each other: ``"across"`` (x; ridges run along the contact), ``"along"``
+        Direction of propagation: ``"across"`` (x; ridges run along the contact), ``"along"``
         (y), or an angle from x towards y [rad].
     phase : float
         Phase at the origin [rad]; zero puts a crest, with no relief, there.
@@ -152,12 +152,12 @@ class ChamferRun:
     """A chamfer whose start varies around the roller, as when it is ground askew: its edge is a slanted line.
 
     The relief is slope times the distance beyond the edge y = start + skew x, towards the end of the body. Within
-    ``blend`` of the edge a parabola rounds the corner; if it were sharp, the pressure there would have no limit.
+    ``blend`` of the edge a parabola rounds the corner; at a sharp corner the pressure would be singular.
 
     Parameters
     ----------
     start : float
-        Where the chamfer begins on the centre line [mm]; towards +y if positive, towards -y if negative.
+        Position where the chamfer begins on the centre line [mm]; it extends towards +y if positive, else towards -y.
     slope : float
         Tangent of the angle of the chamfer, positive.
     skew : float

@@ -1,10 +1,10 @@
-"""What free side faces add to the displacement of pressures and their images, on cells.
+"""Correction for free side faces to the displacement of pressures and their images, on cells.
 
-What a load at the distance v from a face adds at the distance u (`nonhertz.bodies.quarter_space`) is, across the
-contact, a sum of images and of pressures of half-planes at distances d_j (u + v), which have closed integrals over the
-width of a cell. Along the contact it is no convolution but a matrix, smooth on the scale of u and v: the first cells
-from the face have a node each, the others share a few on every panel that doubles in size, from which polynomials
-interpolate. So there are some sixty nodes whatever the number of cells, and the matrix is symmetric as it must be.
+The correction at the distance u from a face for a load at the distance v (`nonhertz.bodies.quarter_space`) is, across
+the contact, a sum of images and of pressures on half-planes at distances d_j (u + v), which have closed integrals over
+the width of a cell. Along the contact it is not a convolution but a matrix, smooth on the scale of u and v: the first
+cells from the face have a node each, the others share a few nodes on panels that double in size, with polynomial
+interpolation. There are thus some sixty nodes whatever the number of cells, and the matrix is symmetric, as it must be.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ from nonhertz.patch.grid import lagrange
 Array = NDArray[np.float64]
 
 NEAR = 8  # cells over which the logarithm at the edge is averaged, rather than taken at their centres
-POINTS = 5  # of that average
-# On a panel twice as far from the face at its end as at its start: they leave 1e-7 of what is interpolated.
+POINTS = 5  # in that average
+# Nodes on a panel twice as far from the face at its end as at its start: the relative interpolation error is 1e-7.
 NODES = 10
 
 
 @dataclass(frozen=True, eq=False)
 class FreeEnd:
-    """The free side faces at one place, and the nodes of a grid that ends there or before.
+    """The free side faces at one position, and the nodes of a grid that ends there or before.
 
     Attributes
     ----------
     faces : tuple of FreeSide
-        One, or two where both bodies end.
+        One face, or two where both bodies end.
     dy : float
         Length of a cell [mm].
     nodes : ndarray, shape (nodes,)
         Distances from the face [mm], those of the near cells first.
     weights : ndarray, shape (ny, nodes)
-        From values at nodes to those at the centres of rows.
+        Matrix from values at nodes to those at the centres of rows.
     """
 
     faces: tuple[FreeSide, ...]
@@ -51,11 +51,11 @@ class FreeEnd:
     weights: Array
 
     def gathered(self, pressure: Array) -> Array:
-        """Return loads per width at the nodes [MPa mm], shape (..., nodes), of pressures of shape (..., ny)."""
+        """Return loads per width at the nodes [MPa mm], shape (..., nodes), from pressures of shape (..., ny)."""
         return self.dy * pressure @ self.weights
 
     def kernel(self, x_edges: Array) -> Array:
-        """Return the displacement over K at nodes per unit of gathered load, of cells between edges across.
+        """Return the displacement over K at nodes per unit of gathered load, for cells between edges across.
 
         Parameters
         ----------
@@ -73,7 +73,7 @@ class FreeEnd:
         displacement[:, row, column] = displacement[:, column, row] = self.pairwise(
             x_edges, self.nodes[row], self.nodes[column]
         )
-        # Between the first cells it is averaged over that of the load.
+        # Between the first cells it is averaged over the cell of the load.
         point, share = legendre.leggauss(POINTS)
         u = self.nodes[:NEAR]
         v = np.maximum(u[:, None] + 0.5 * self.dy * point, 0.0)
@@ -121,12 +121,12 @@ def _panels(cells_before: float, near: int, count: int) -> Iterator[tuple[int, i
 
 
 def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd, ...]:
-    """Return the free side faces, those at the same place together, with nodes for rows of cells.
+    """Return the free side faces, grouped by position, with nodes for rows of cells.
 
     Parameters
     ----------
     faces : tuple of FreeSide
-        Those of both bodies.
+        Faces of both bodies.
     y : ndarray, shape (ny,)
         Centres of the rows [mm], ascending.
     dy : float
@@ -143,13 +143,13 @@ def free_ends(faces: tuple[FreeSide, ...], y: Array, dy: float) -> tuple[FreeEnd
 
 
 def most_nodes(count: int) -> int:
-    """Return how many nodes a free end has on a number of rows, or more."""
+    """Return an upper bound of the number of nodes of a free end on a number of rows."""
     near = min(NEAR, count)
     return near + sum(min(beyond - first, NODES) for first, beyond in _panels(0.0, near, count))
 
 
 def merge_faces(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
-    """Return side faces with one share for those at the same place and of the same Poisson's ratio."""
+    """Return side faces with those of equal position and Poisson's ratio merged into one share."""
     shares: dict[FreeSide, float] = {}
     for face in faces:
         alike = replace(face, share=0.0)
@@ -158,7 +158,7 @@ def merge_faces(faces: tuple[FreeSide, ...]) -> tuple[FreeSide, ...]:
 
 
 def at_points(faces: tuple[FreeSide, ...], x: Array, y: Array, x_force: Array, y_force: Array) -> Array:
-    """Return the displacement over K at places per unit of force at others [1/mm], shape (places, forces)."""
+    """Return the displacement over K at points per unit of force at others [1/mm], shape (places, forces)."""
     squared = np.square(x[:, None] - x_force)
     total = np.zeros(squared.shape)
     for face in faces:

@@ -1,4 +1,4 @@
-"""The grid: equal rectangular cells over a rectangular region, and how it is moved to suit the contact found on it."""
+"""The grid: equal rectangular cells over a rectangular region, which is adapted to the contact found on it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ COARSE = 16
 class Grid:
     """Equal cells over a region, identified by their centres.
 
-    Moved, it never extends past the ends of the bodies, so that a contact up to one has it on a cell edge.
+    It never extends past the ends of the bodies, so that a contact that reaches an end has the end on a cell edge.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Grid:
 
     @property
     def centres(self) -> tuple[Array, Array]:
-        """Centres as a gap takes them [mm], of shapes (nx, 1) and (1, ny)."""
+        """Centres [mm] as arguments of a gap, of shapes (nx, 1) and (1, ny)."""
         return self.x[:, None], self.y[None, :]
 
     @property
@@ -88,11 +88,11 @@ class Grid:
         return (bool(across[0]), bool(across[-1])), (bool(along[0]) and low > first, bool(along[-1]) and high < last)
 
     def filled(self, touching: Mask) -> float:
-        """Return how much of the region the contact fills, in the direction in which that is less."""
+        """Return the fraction of the region that the contact fills, in the direction in which it is smaller."""
         return float(min((np.ptp(at) + 1) / n for at, n in zip(np.nonzero(touching), touching.shape, strict=True)))
 
     def around(self, touching: Mask) -> Grid:
-        """Return one over a region that is a cell wider than the contact on each side."""
+        """Return a grid over a region that is a cell wider than the contact on each side."""
         spans = []
         for (low, _), at, side in zip(
             (self.x_span, self.y_span), np.nonzero(touching), (self.dx, self.dy), strict=True
@@ -101,7 +101,7 @@ class Grid:
         return self.over(spans)
 
     def widened(self, ends: Ends, share: float) -> Grid:
-        """Return one over a region extended by a share of its length at each end flagged in ``ends``."""
+        """Return a grid over a region extended by a fraction of its length at each end flagged in ``ends``."""
         spans = []
         for (low, high), (at_low, at_high) in zip((self.x_span, self.y_span), ends, strict=True):
             more = share * (high - low)
@@ -109,12 +109,12 @@ class Grid:
         return self.over(spans)
 
     def joined(self, *others: Span) -> Grid:
-        """Return one whose region holds spans across and along, too."""
+        """Return a grid whose region also includes spans across and along."""
         pairs = zip((self.x_span, self.y_span), others, strict=True)
         return self.over([(min(a[0], b[0]), max(a[1], b[1])) for a, b in pairs])
 
     def over(self, spans: Sequence[Span]) -> Grid:
-        """Return one over another region, cut off where a body ends."""
+        """Return a grid over another region, cut off where a body ends."""
         x_span, (low, high) = spans
         return replace(self, x_span=x_span, y_span=(max(low, self.interval[0]), min(high, self.interval[1])))
 
@@ -129,7 +129,7 @@ def _centres(span: Span, cells: int) -> Array:
 
 
 def interpolation(places: Array, cells: int, nodes: int) -> sparse.csr_array:
-    """Return the interpolation from the centres of cells, at 0, 1, 2 ..., to places by polynomials through the nearest.
+    """Return the interpolation from cell centres, at 0, 1, 2 ..., to places, by polynomials through the nearest.
 
     Beyond the last centre it extrapolates.
     """

@@ -22,7 +22,7 @@ _ON_AXIS = 1e-200
 
 
 def rectangles(x_edges: Array, y_edges: Array) -> Array:
-    """Return the integral of 1/r over every cell between two rows of edges, r being the distance from the origin.
+    """Return the integral of 1/r over every cell of a grid of edges, r being the distance from the origin.
 
     Times K p it is the surface displacement at the origin of a half-space of compliance K = (1 - nu^2) / (pi E) under
     a pressure p that is uniform over the cell.

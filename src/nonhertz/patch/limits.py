@@ -1,4 +1,4 @@
-"""The limits of a solution on a plane grid: its discretisation error, and where the model is strained."""
+"""Limits of a solution on a plane grid: its discretisation error, and strains of the model."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FEWEST_CELLS = 6.0  # per feature, below which a warning is given
 # Factors on the last change, for approach and load and for the largest pressure: calibrated on random contacts
 # (tests/campaign/test_patch_estimate.py); with 1.5 for all, one approach in 25 exceeded its estimate.
 MARGIN, PRESSURE_MARGIN = 3.0, 1.5
-LONGEST_AT_END = 0.8  # half-widths: with longer cells at a singular end there is nothing to interpolate from
+LONGEST_AT_END = 0.8  # half-widths: longer cells at a singular end allow no interpolation
 LEAST_CELLS = 2.0  # per feature: with fewer the largest pressure is arbitrary
 STEEPEST = 1.5  # d ln(load) / d ln(displacement) of a paraboloid
 ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors above which a warning is given
@@ -47,13 +47,13 @@ def error_estimate(
     unseen: Unseen,
     largest: float,
 ) -> ErrorEstimate:
-    """Return the estimated error of the finest grid, from the last refinements and from what lies between its cells.
+    """Return the estimated error of the finest grid, from the last refinements and the gap between its cells.
 
-    At least as large as the true error in 99 % of random cases, in the median twelve times as large.
+    It was at least as large as the true error in 99 % of random cases, and twelve times as large in the median.
 
     ``levels`` are grids that double the cells in both directions (`cascade.halved`), ``largest`` is the largest
-    displacement [mm]. Infinite if there is no coarser grid, since fewer than 8 cells are not halved; and for a pressure
-    without a limit: at the edge of a body, where the region cuts the contact, over a feature of less than two cells, or
+    displacement [mm]. Infinite if there is no coarser grid, since fewer than 8 cells are not halved; and for a singular
+    pressure: at the edge of a body, where the region cuts the contact, over a feature of less than two cells, or
     next to a singular end on cells longer than the half-width there.
     """
     if solution.status is not Status.CONVERGED or len(levels) < 2:
@@ -78,7 +78,7 @@ def error_estimate(
 
 
 def _is_unlimited(solution: PatchSolution, problem: PatchProblem, grid: Grid) -> bool:
-    """Return whether the largest pressure has no limit, or is arbitrary on these cells."""
+    """Return whether the largest pressure is singular, or arbitrary on these cells."""
     lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
     cut = bool(_cut_off(solution, grid) or _edges_of_bodies(solution))
     return lost or cut or any(_too_long(solution, end) for end in solution.singular_ends)
@@ -89,9 +89,9 @@ def _share(error: float, whole: float) -> float:
 
 
 def _change(values: Array, margin: float = MARGIN, whole: float | None = None) -> float:
-    """Return the last change, or half the one before if that is larger, relative to ``whole`` or else the last value.
+    """Return the last change, or half the one before if larger, relative to ``whole`` or else the last value.
 
-    One may be small by chance.
+    Two changes are used because one may be small by chance.
 
     At a sharp end errors fall in proportion to the cell size, so the last change is the error itself, which the margin
     covers. At smooth ends they fall faster.
@@ -102,7 +102,7 @@ def _change(values: Array, margin: float = MARGIN, whole: float | None = None) -
 
 
 def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[Finding, ...]:
-    """Return every way in which the result leaves the model's validity."""
+    """Return a finding for every way in which the result exceeds the model's validity."""
     touching, contact = solution.footprint.any(axis=0), solution.contact
     checks = [*image_weights(influence.ends)]
     if touching.any():
@@ -114,7 +114,7 @@ def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[
 
 
 def overlaps(beyond: Overlap | None, between: Unseen, largest: float) -> Iterator[Finding]:
-    """Yield where the bodies overlap beyond the region, and between cell centres.
+    """Yield findings on overlaps beyond the region and between cell centres.
 
     ``largest`` is the largest displacement [mm].
     """
@@ -124,22 +124,22 @@ def overlaps(beyond: Overlap | None, between: Unseen, largest: float) -> Iterato
 
     if beyond is not None:
         words = (
-            "Beyond the region the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: they touch there too, "
-            "which is left out; give a larger region, and enough cells for it."
+            "The bodies overlap by {overlap:.3g} outside the region, at x = {x:.4g}, y = {y:.4g}: a contact there is "
+            "left out; give a larger region, and enough cells for it."
         )
         yield overlapping("overlap-beyond-the-region", words, beyond.depth, beyond)
     if between.overlap > UNSEEN * largest:
         words = (
-            "Between the centres of cells the bodies overlap, by {overlap:.3g} at x = {x:.4g}, y = {y:.4g}: the gap "
-            "has a peak or a small contact there that these cells miss; give more cells."
+            "The bodies overlap by {overlap:.3g} between cell centres, at x = {x:.4g}, y = {y:.4g}: these cells miss a "
+            "peak of the gap or a small contact there; give more cells."
         )
         yield overlapping("overlap-between-cells", words, between.overlap, between)
 
 
 def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
-    """Yield each estimated error that is large, or that it cannot be estimated.
+    """Yield a finding for each large estimated error, or one that no error can be estimated.
 
-    ``largest`` is the largest displacement [mm], against which an error of the approach is measured.
+    ``largest`` is the largest displacement [mm], to which an error of the approach is relative.
     """
     error = solution.error_estimate
     if math.isinf(error.approach):
@@ -168,7 +168,7 @@ def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
 
 
 def unresolved(features: Iterable[object], dx: float, dy: float) -> Iterator[Finding]:
-    """Yield every feature that spans only a few cells."""
+    """Yield a finding for every feature that spans only a few cells."""
     for name, size, side in _sizes(features, dx, dy):
         if size < FEWEST_CELLS * side:
             yield finding(
@@ -191,19 +191,19 @@ def _sizes(features: Iterable[object], dx: float, dy: float) -> Iterator[tuple[s
                 ring = 0.5 * (float(feature.shoulder_diameter or 0.0) - float(feature.diameter))
                 yield "shoulder of a dent", ring, max(dx, dy)
         elif isinstance(feature, Waviness) and feature.amplitude > 0.0:
-            # What counts is waves per cell, in whichever direction there are more.
+            # The relevant number is that of waves per cell, in the direction with more of them.
             side = max(abs(math.cos(feature.angle)) * dx, abs(math.sin(feature.angle)) * dy)
             yield "wavelength", float(feature.wavelength), side
 
 
 def _cut_off(solution: PatchSolution, grid: Grid) -> list[Finding]:
-    """Return each border of the region that cuts the contact where the bodies continue."""
+    """Return a finding for each border of the region that cuts the contact where the bodies continue."""
     ends = zip("xxyy", np.ravel([grid.x_span, grid.y_span]), np.ravel(grid.cut(solution.footprint)), strict=True)
     return [
         finding(
             "cut-off",
-            "The region ends at {axis} = {end:.6g} while the contact continues: the pressure there is that of bodies "
-            "cut off; give a larger region, or leave it out.",
+            "The region ends at {axis} = {end:.6g} while the contact continues: the pressure there is that of "
+            "truncated bodies; give a larger region, or leave it out.",
             axis=axis,
             end=mm(end),
         )
@@ -220,7 +220,7 @@ def _too_long(solution: PatchSolution, end: SingularEnd) -> bool:
 
 
 def singularities(solution: PatchSolution) -> tuple[Finding, ...]:
-    """Return every singular end, and the edges of bodies in the gap."""
+    """Return findings on singular ends and on edges of bodies in the gap."""
     reached = {
         EdgeKind.SINGULAR: ("sharp-end", "reaches the sharp end"),
         EdgeKind.CORNER: ("corner-end", "ends at a corner of the profile"),
@@ -242,7 +242,7 @@ def singularities(solution: PatchSolution) -> tuple[Finding, ...]:
 
 
 def _edges_of_bodies(solution: PatchSolution) -> list[Finding]:
-    """Return that the contact reaches cells without a body, naming the largest pressure beside them."""
+    """Return a finding if the contact reaches cells without a body, at the largest pressure beside them."""
     without = np.pad(np.isposinf(solution.gap), 1)
     beside = without[2:, 1:-1] | without[:-2, 1:-1] | without[1:-1, 2:] | without[1:-1, :-2]
     pressure = np.where(beside, solution.pressure, 0.0)

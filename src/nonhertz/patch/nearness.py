@@ -1,10 +1,10 @@
-"""Where the undeformed bodies are closest, and where they would overlap beyond the region, by sampling the gap.
+"""Samples of the gap: where the undeformed bodies are closest, and where they would overlap beyond the region.
 
 A gap is known only by its values, so it is sampled: evenly along bodies that end, elsewhere evenly near the middle and
-at growing distances away from it, and again over every `Dent`. A gap that users contribute to may have bumps anywhere,
+at growing distances away from it, and again over every `Dent`. A gap with user functions may have bumps anywhere,
 and is also scanned in nested windows, each four times the size of the previous one. The lowest sample is refined by
-windows an eighth of the size each. A bump that lies between the samples is not seen; docs/explain/patch.md says how far
-apart they are.
+windows an eighth of the size each. A bump between the samples is not detected; docs/explain/patch.md gives their
+spacing.
 """
 
 from __future__ import annotations
@@ -38,29 +38,29 @@ SCANNED_AT_ONCE = 2**17
 LUMPS, SMALL_LUMPS = (12, 48), (24, 96)
 # Overlaps as fractions of the largest displacement: worth a closer look, worth enlarging the region, worth a warning.
 SUSPECT, SEEN, CLEAR = 0.03, 0.003, 0.01
-# Cells from the border within which lumps of cells are too coarse for small overlaps, and what is seen there even so.
+# Cells from the border within which lumps of cells are too coarse for small overlaps, and overlaps still seen there.
 NEAR, SEEN_NEAR = 2.0, 0.015
 MOST_SUSPECTS = 100
 AT_ONCE = 2**15  # distances
-PER_DISTANCE = 16  # numbers that what free side faces add needs for each
+PER_DISTANCE = 16  # numbers that the correction for free side faces needs for each
 
 
 @dataclass(frozen=True, eq=False)
 class Window:
-    """A grid of sampled places: all pairs of x and y [mm], each ascending."""
+    """A grid of samples: all pairs of x and y [mm], each ascending."""
 
     x: Array
     y: Array
 
     def of(self, gap: Gap, tilt: float) -> Array:
-        """Return gap - tilt y [mm] at all places, shape (nx, ny)."""
+        """Return gap - tilt y [mm] at all samples, shape (nx, ny)."""
         nearness: Array = gap(self.x[:, None], self.y[None, :]) - tilt * self.y
         return nearness
 
 
 @dataclass(frozen=True)
 class Lowest:
-    """Where gap - tilt y is smallest: x, y and the value there [mm]."""
+    """The point where gap - tilt y is smallest: x, y and the value [mm]."""
 
     x: float
     y: float
@@ -69,7 +69,7 @@ class Lowest:
 
 @dataclass(frozen=True)
 class Overlap:
-    """Where the deformed bodies overlap beyond the region: the deepest place, and a rectangle around all overlaps."""
+    """Overlap of the deformed bodies beyond the region: the deepest point, and a rectangle around all overlaps."""
 
     x: float
     y: float
@@ -79,7 +79,7 @@ class Overlap:
 
 
 def windows(surface: Surface, width: float, reach: float) -> tuple[Window, ...]:
-    """Return where to sample bodies for a contact about 2 ``width`` wide."""
+    """Return windows in which to sample bodies for a contact about 2 ``width`` wide."""
     interval = surface.contact.interval
     y = np.linspace(*interval, ALONG) if np.all(np.isfinite(interval)) else _spread(width, 1e4 * width + reach)
     near_edges = [Window(_spread(width, reach), np.unique(np.clip(np.append(y, 0.0), *interval)))]
@@ -94,8 +94,8 @@ def windows(surface: Surface, width: float, reach: float) -> tuple[Window, ...]:
 def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
     """Yield nested windows about the region of a grid; the first is twice its size, with two samples per cell.
 
-    They come in parts that take little memory, each of which shares its last row of samples with the next. ``reach`` is
-    how far to scan from the middle, across and along [mm].
+    Windows are split into parts that take little memory; each shares its last row of samples with the next. ``reach``
+    is the distance to scan from the middle, across and along [mm].
     """
     x_half, y_half = float(np.ptp(grid.x_span)), float(np.ptp(grid.y_span))
     x, y, interval = 0.5 * sum(grid.x_span), 0.5 * sum(grid.y_span), grid.interval
@@ -114,7 +114,7 @@ def scan(grid: Grid, reach: tuple[float, float]) -> Iterator[Window]:
 
 
 def find_lowest(gap: Gap, tilt: float, several: Iterable[Window]) -> Lowest:
-    """Return the lowest place, refined from the lowest sample."""
+    """Return the lowest point, refined from the lowest sample."""
     place, window = min((_lowest_sample(gap, tilt, window) for window in several), key=lambda sample: sample[0].value)
     for _ in range(MOST_CLOSER):
         closer, window = _lowest_sample(gap, tilt, window)
@@ -131,7 +131,7 @@ def penetration(gap: Gap, grid: Grid, approach: float, tilt: float) -> float:
 
 
 def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Window, ...]) -> tuple[Span, Span]:
-    """Return a rectangle that holds the undeformed overlap around the lowest place, and all samples that overlap."""
+    """Return a rectangle that contains the undeformed overlap around the lowest point, and all overlapping samples."""
     low, high = several[0].y[0], several[0].y[-1]
     steps = np.geomspace(1e-9, 1.0, 240)
     x_reach, y_reach = float(np.ptp(several[0].x)), float(high - low)
@@ -153,12 +153,12 @@ def extent(gap: Gap, tilt: float, approach: float, at: Lowest, several: tuple[Wi
 
 
 def finite_rows(gap: Gap, several: Iterable[Window]) -> tuple[Array, Span]:
-    """Return where along y samples of a gap are finite for some x, ascending, and the next samples beyond them [mm].
+    """Return the y at which a gap is finite for some sampled x, ascending, and the next samples beyond them [mm].
 
     Raises
     ------
     InputError
-        If there is none.
+        If the gap is finite nowhere.
     """
     rows = [(window.y, np.isfinite(window.of(gap, 0.0)).any(axis=0)) for window in several]
     sampled = np.unique(np.concatenate([y for y, _ in rows]))
@@ -190,11 +190,11 @@ def least_closing_approach(gap: Gap, window: Window) -> float:
 def find_overlap(
     problem: PatchProblem, outcome: Outcome, several: Iterable[Window], *, smooth: bool, region_given: bool = False
 ) -> Overlap | None:
-    """Return where the deformed bodies overlap beyond the region of a solution, as far as the samples show.
+    """Return the sampled overlap of the deformed bodies beyond the region of a solution.
 
-    The pressure is first replaced by point forces on lumps of cells; for suspects, by uniform pressure on smaller ones.
-    Close to the border only large overlaps count, and none of ``smooth`` bodies, which would overlap within it as well;
-    a region given (``region_given``) by the user tolerates a larger overlap.
+    The pressure is first replaced by point forces on lumps of cells; at suspect points, by uniform pressure on smaller
+    lumps. Close to the border only large overlaps count, and none of ``smooth`` bodies, which would overlap within the
+    region as well; a region given by the user (``region_given``) tolerates a larger overlap.
     """
     grid, state, surface = outcome.grid, outcome.state, problem.gap
     if not state.pressure.any():
@@ -215,7 +215,7 @@ def find_overlap(
         x, y = window.x[at[:, 0]], window.y[at[:, 1]]
         gap = gap[tuple(at.T)]
         separation = gap + _displacement(terms, (), coarse, x, y)
-        # Free faces only raise more, and take longer.
+        # Free faces only increase the displacement, and take longer.
         suspects = np.flatnonzero(separation < SUSPECT * largest)
         separation[suspects] += _displacement(terms[:0], faces, coarse, x[suspects], y[suspects])
         chosen = _choose_suspects(at, separation, suspects[separation[suspects] < SUSPECT * largest])
@@ -237,7 +237,7 @@ def find_overlap(
 
 
 def _choose_suspects(at: NDArray[np.intp], separation: Array, suspects: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Return the suspects to examine: the lowest, and the outermost, which decide how far the region must extend."""
+    """Return the suspects to examine: the lowest, and the outermost, which decide the extent of the region."""
     if suspects.size <= MOST_SUSPECTS:
         return suspects
     most = MOST_SUSPECTS // 2, MOST_SUSPECTS // 8
@@ -269,7 +269,7 @@ def _neighbours(places: Array, index: int) -> Span:
 
 
 def _outside(window: Window, grid: Grid, cells: float) -> NDArray[np.bool_]:
-    """Return which places of a window are more than so many cells beyond a region, shape (nx, ny)."""
+    """Return which samples of a window are more than so many cells beyond a region, shape (nx, ny)."""
     across, along = (
         (places < span[0] - cells * side) | (places > span[1] + cells * side)
         for places, span, side in ((window.x, grid.x_span, grid.dx), (window.y, grid.y_span, grid.dy))
@@ -285,7 +285,7 @@ def _starts(grid: Grid, most: tuple[int, int]) -> list[NDArray[np.int64]]:
 
 
 def _lumps(grid: Grid, pressure: Array) -> Lumps:
-    """Return forces times K that replace the pressure, shape (lumps,), where they act, and the lump size [mm]."""
+    """Return forces times K that replace the pressure, shape (lumps,), their positions, and the lump size [mm]."""
     starts = _starts(grid, LUMPS)
 
     def summed(field: Array) -> Array:
@@ -302,7 +302,7 @@ def _lumps(grid: Grid, pressure: Array) -> Lumps:
 
 
 def _displacement(terms: Array, faces: tuple[FreeSide, ...], lumps: Lumps, x: Array, y: Array) -> Array:
-    """Return the displacement that images and free side faces make of forces at places, shape (places,)."""
+    """Return the displacement at places by forces with their images and free side faces, shape (places,)."""
     force, x_force, y_force, size = lumps
     total: Array = np.zeros(x.size)
     block = max(AT_ONCE // ((PER_DISTANCE if faces else 1) * force.size), 1)

@@ -24,20 +24,20 @@ responses to approach and tilt, the spectrum of rows, and a temporary or two."""
 FEW, MAKING = 3.0, 2.25  # during setup: fields, and copies of the matrix of displacements at depth
 DOUBLE = 8
 SHARE = 0.8  # of the machine's available memory
-_UNKNOWN = 8.0 * 2**30  # bytes that a machine is taken to have if it does not say
+_UNKNOWN = 8.0 * 2**30  # bytes assumed for a machine that does not report its memory
 
 
 def memory(cells: tuple[int, int], contact: Contact | None = None) -> int:
     """Return the peak memory of a solve in bytes, to within a fifth unless the grid is small or slender.
 
-    Free side faces that the contact does not reach take less than is counted for them.
+    Free side faces that the contact does not reach take less than the estimate includes for them.
 
     Parameters
     ----------
     cells : tuple of int
         Number of cells (across, along).
     contact : Contact, optional
-        Its side faces and depths are taken into account; half-spaces if left out.
+        The bodies, for their side faces and depths; half-spaces if left out.
 
     Returns
     -------

@@ -1,9 +1,9 @@
 """The search for the region of an unknown contact: where to start, what to refuse, and how to verify the result.
 
-It solves coarsely and adjusts the region to the result: one that the contact fills to its border is extended by its own
-length on that side, one that is mostly empty is cut down to the cells in contact; a solve on a thousand cells or so
-costs next to nothing. For a prescribed approach the start is the undeformed overlap (`nonhertz.patch.nearness`): where
-no cell touches, the contact is smaller than a cell, and the region shrinks about its lowest place.
+It solves coarsely and adjusts the region to the result: a region that the contact fills to its border is extended by
+its own length on that side, one that is mostly empty is cut down to the cells in contact; a solve on a thousand cells
+costs very little. For a prescribed approach the start is the undeformed overlap (`nonhertz.patch.nearness`): where no
+cell touches, the contact is smaller than a cell, and the region shrinks about its lowest point.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ from nonhertz.result.status import Status
 Array = NDArray[np.float64]
 
 CELLS, ROUGHLY = (24, 48), 1e-3  # of the coarse solves, and their tolerance
-FILLED = 0.75  # of each side of a region that suits its contact
+FILLED = 0.75  # fraction of each side of a suitable region that is in contact
 MOST_MOVES, MOST_FAILURES = 60, 3
 CLOSER = 0.25  # of a region in which no cell touches
 MOST_SOLVES, ENLARGEMENT = 16, 0.15
-EMPTY = 0.6  # of a side of an enlarged region: with less than this in contact it is cut down, once
+EMPTY = 0.6  # fraction of a side of an enlarged region: with less than this in contact it is cut down, once
 LEAST_GUESS, MOST_GUESS = 1e-3, 0.1  # of the radius: bounds on the first half-width where no load is given
 MOST_RADII = 30.0  # that a region may extend to either side: far beyond the size of any body
 FLAT_REACH = 1e4  # mm, for gaps of bodies without a radius
@@ -57,7 +57,7 @@ class Search:
 
     @property
     def prescribed(self) -> Prescription:
-        """What is prescribed."""
+        """The prescribed load or approach, and tilt or moment."""
         return self.problem.prescribed
 
     @property
@@ -72,7 +72,7 @@ class Search:
 
     @property
     def reach(self) -> float:
-        """How far from the line x = 0 the surfaces are sampled [mm]."""
+        """Distance from the line x = 0 up to which the surfaces are sampled [mm]."""
         return FLAT_REACH if self.gap_given else self.radius
 
     @property
@@ -84,13 +84,13 @@ class Search:
 
     @property
     def own_gap(self) -> bool:
-        """Whether the gap is that of the bodies with dents alone, which has no bumps that are not known."""
+        """Whether the gap is that of the bodies with dents only, and so has no unknown bumps."""
         return not self.gap_given and all(isinstance(feature, Dent) for feature in self.problem.gap.features)
 
     def windows(self, grid: Grid | None = None) -> Iterator[Window]:
-        """Yield where the gap is sampled: along the bodies, and one that may have bumps also around the region.
+        """Yield windows in which the gap is sampled: along the bodies, and around the region if it may have bumps.
 
-        Without a grid that is where a contact is looked for first.
+        Without a grid, these are the windows in which a contact is searched first.
         """
         width, interval = self.width(), self.contact.interval
         yield from nearness.windows(self.problem.gap, width, self.reach)
@@ -102,7 +102,7 @@ class Search:
         yield from nearness.scan(grid, (min(self.reach, FLAT_REACH), FLAT_REACH))
 
     def width(self) -> float:
-        """Return a first guess of the half-width [mm], that of a Hertz line contact where the bodies define one."""
+        """Return a first guess of the half-width [mm]: that of a Hertz line contact where the bodies define one."""
         radius, (low, high) = self.radius, self.contact.interval
         load, approach = self.prescribed.load, self.prescribed.approach
         if approach is not None:
@@ -117,7 +117,7 @@ class Search:
         return math.cbrt(self.contact.compliance * load * radius)
 
     def _width_of_gap(self, load: float) -> float:
-        """Return the distance from its lowest place at which the gap has risen by as much as the load presses in."""
+        """Return the distance from its lowest point at which the gap has risen by the indentation under the load."""
         lowest = self._lowest(nearness.windows(self.problem.gap, 1.0, self.reach))
         away = np.geomspace(1e-6, FLAT_REACH, 200)
         x, y = lowest.x + np.concatenate([-away, away]), np.clip(lowest.y, *self.contact.interval)
@@ -129,7 +129,7 @@ class Search:
         return nearness.find_lowest(self.problem.gap, self.tilt, windows)
 
     def refuse_apart(self, windows: tuple[Window, ...]) -> Lowest:
-        """Return the place where the bodies are closest, after refusing an approach at which nothing touches.
+        """Return the point where the bodies are closest, after refusing an approach at which nothing touches.
 
         Raises
         ------
@@ -151,7 +151,7 @@ class Search:
         return lowest
 
     def found(self, cells: tuple[int, int], tolerance: float, pool: Executor | None) -> tuple[Outcome, Overlap | None]:
-        """Find a region and solve in it, enlarging it where the contact turns out to extend further.
+        """Find a region and solve in it, enlarging it where the contact extends further.
 
         Returns
         -------
@@ -167,7 +167,7 @@ class Search:
             where = "where the gap is finite"
             refuse_beyond(self.prescribed, ends, where, "give the region of the contact", bearing)
             if arm is not None:
-                # Otherwise the search may settle on a contact on only one side of the moment's lever arm.
+                # Otherwise the search may end with a contact on only one side of the moment's lever arm.
                 at = int(np.searchsorted(rows, arm))
                 low, high = float(rows[max(at - 1, 0)]), float(rows[min(at, rows.size - 1)])
                 grid = grid.joined(grid.x_span, (1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low))
@@ -188,14 +188,14 @@ class Search:
                 continue
             if not enlarged or shrunk or not touching.any() or grid.filled(touching) >= EMPTY:
                 break
-            # Only once: on other cells a small contact may be missed, then found again outside the region.
+            # Only once: other cells may miss a small contact, which is then found again outside the region.
             grid, shrunk = grid.around(touching), True
         return outcome, overlap
 
     def _roughly(self, grid: Grid, towards: tuple[float, float]) -> Grid:
         """Return the region of the contact, with a small margin where it does not end with the bodies.
 
-        ``towards`` is the place x, y [mm] to zoom in on if no cell touches.
+        ``towards`` is the point x, y [mm] to zoom in on if no cell touches.
         """
         failures = 0
         for _ in range(MOST_MOVES):
@@ -221,7 +221,7 @@ class Search:
         return grid
 
     def _start(self, windows: tuple[Window, ...]) -> tuple[Grid, tuple[float, float]]:
-        """Return a grid to begin with, and the place to zoom in on."""
+        """Return a grid to begin with, and the point to zoom in on."""
         low, high = interval = self.contact.interval
         width, approach = self.width(), self.prescribed.approach
         if approach is not None:
@@ -240,7 +240,7 @@ class Search:
         return Grid((across - 2.0 * width, across + 2.0 * width), y_span, CELLS, interval), (across, middle)
 
     def _refuse_huge(self, outcome: Outcome) -> None:
-        """Refuse a contact that is wider than the bodies, or that nothing bounds.
+        """Refuse a contact that is wider than the bodies, or unbounded.
 
         Raises
         ------

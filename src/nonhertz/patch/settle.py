@@ -1,6 +1,6 @@
-"""The contact conditions on one grid: which cells touch, and what pressure they carry.
+"""The contact conditions on one grid: which cells touch, and the pressure on them.
 
-Where the surfaces touch the gap is zero, elsewhere the pressure is. For a given set of cells in contact this is a
+Where the surfaces touch the gap is zero; elsewhere the pressure is zero. For a given set of cells in contact this is a
 linear system, K_AA p_A = d_A - g_A with d = approach + tilt y; a prescribed load or moment adds an equation B^T p, with
 approach or tilt as its multiplier. Conjugate gradients solve it in the subspace of pressures that have the right
 load and moment: each preconditioned residual is projected onto that subspace by the multipliers (the constraint
@@ -9,8 +9,8 @@ columns of B.
 
 The set is found by a primal-dual active set method, which is Newton's method on the contact conditions: cells in
 tension leave, cells that would overlap enter. An accurate solution for a wrong set is wasted: each solve continues only
-until its residual is small compared with the disturbance by the next change of the set. A change costs one convolution,
-and so does a step.
+until its residual is small compared with the disturbance by the next change of the set. A change and a step cost one
+convolution each.
 
 References
 ----------
@@ -60,9 +60,9 @@ class Task:
     y : ndarray, shape (ny,)
         Lever arms [mm].
     by_force : tuple of bool
-        Whether load and moment are given, rather than approach and tilt.
+        Whether the load is given rather than the approach, and the moment rather than the tilt.
     target : tuple of float
-        What is given: approach [mm] or K Q / (dx dy) [-], and tilt [rad] or K T / (dx dy) [mm].
+        The given values: approach [mm] or K Q / (dx dy) [-], and tilt [rad] or K T / (dx dy) [mm].
     """
 
     undeformed: Array
@@ -74,7 +74,7 @@ class Task:
 
     @cached_property
     def bearing(self) -> Mask:
-        """The cells that have a body and so can carry a pressure, shape (nx, ny)."""
+        """The cells with a body, which can carry a pressure, shape (nx, ny)."""
         return np.isfinite(self.undeformed)
 
     def start(self) -> Array:
@@ -275,11 +275,11 @@ class _ActiveSet:
 
 
 def settle_by_motion(task: Task, state: CellState, tolerance: float) -> CellState:
-    """Find approach and tilt such that load and moment are as given, from contacts with prescribed motion.
+    """Find the approach and tilt at which load and moment are as given, from contacts with prescribed motion.
 
-    The fallback where sets cycle, as they may while one or two rows of cells carry a moment. With prescribed motion
-    they do not, and target minus current load and moment is the gradient of a concave function of approach and tilt:
-    ascent steps that do not overshoot lead to the maximum.
+    This is the fallback where sets cycle, as they may while one or two rows of cells carry a moment. With prescribed
+    motion they do not, and target minus current load and moment is the gradient of a concave function of approach and
+    tilt: ascent steps that do not overshoot lead to the maximum.
     """
     forced = np.flatnonzero(task.by_force)
     motion, step, slope, share = np.array(state.rigid), np.zeros(forced.size), 0.0, 1.0

@@ -1,4 +1,4 @@
-"""What a solve on a plane grid returns: a read-only value and everything derived from it."""
+"""The result of a solve on a plane grid: a read-only value and all quantities derived from it."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ class PatchSolution(Solved):
     Attributes
     ----------
     contact : Contact
-        What was solved.
+        The two bodies.
     status : Status
-        How the solve ended.
+        Outcome of the solve.
     approach : float
         delta [mm], how far the bodies moved together on the line y = 0 from where their gap is zero: with the gap g0
         the undeformed bodies overlap by delta + gamma y - g0.
@@ -50,7 +50,7 @@ class PatchSolution(Solved):
     load : float
         Q [N], sum of the pressures times the area of a cell.
     moment : float
-        T [N mm], the same with y.
+        T [N mm], the sum of the same times y.
     x : ndarray, shape (nx,)
         Centres of the cells across [mm].
     y : ndarray, shape (ny,)
@@ -68,9 +68,9 @@ class PatchSolution(Solved):
     error_estimate : ErrorEstimate
         Relative errors of discretisation, from the coarser grids.
     findings : tuple of Finding
-        What strains the model in this case; empty when nothing does.
+        Strains of the model in this case; empty if there are none.
     rolls_on : bool
-        Whether a feature changes across the contact, as a dent does: once rolled on, it is at another x.
+        Whether a feature such as a dent changes across the contact: when the surfaces roll, it moves to another x.
     """
 
     contact: Contact
@@ -108,7 +108,7 @@ class PatchSolution(Solved):
 
     @cached_property
     def footprint(self) -> Mask:
-        """Which cells touch, shape (nx, ny)."""
+        """Mask of the cells in contact, shape (nx, ny)."""
         return freeze(self.pressure > 0.0)
 
     @property
@@ -118,7 +118,7 @@ class PatchSolution(Solved):
 
     @property
     def max_pressure_x(self) -> float:
-        """Where across the contact the largest pressure is [mm]; nan where nothing touches."""
+        """Position of the largest pressure across the contact [mm]; nan where nothing touches."""
         if not self.footprint.any():
             return math.nan
         row = int(np.abs(self.y - self.max_pressure_y).argmin())
@@ -126,7 +126,7 @@ class PatchSolution(Solved):
 
     @property
     def peaks_at_corner(self) -> bool:
-        """Whether the largest pressure is at a corner of the profile: always False, as cells cannot show it."""
+        """Whether the largest pressure is at a corner of the profile: always False, since cells cannot show it."""
         return False
 
     @cached_property
@@ -144,7 +144,7 @@ class PatchSolution(Solved):
 
     @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
-        """The ends at which the pressure has no limit, ascending."""
+        """The ends at which the pressure is singular, ascending."""
         if not self.contact_y:
             return ()
         faces, length = ends(self.contact), float(np.ptp(self.edges))
@@ -160,7 +160,7 @@ class PatchSolution(Solved):
 
     @property
     def shape(self) -> Shape:
-        """Shape of the pressure across that far images and depths assume: Hertz's."""
+        """Shape of the pressure across assumed for distant images and depths: Hertz's."""
         return HERTZ
 
     @cached_property
@@ -191,10 +191,10 @@ class PatchSolution(Solved):
         """Half of the distance [mm] between the outermost edges of the footprint at every ``y``, zero off contact.
 
         Towards an edge the pressure falls as the square root of the distance, so its square falls linearly to zero. The
-        line through the two outermost cells reaches zero a little too early, since the last one also carries the
-        pressure beyond it; that through the next two a little too late, since the square is curved. The mean of both is
-        within a sixth of a cell on Hertz's ellipse. Where the square does not fall from cell to cell, or there are
-        fewer than three, whole cells are counted.
+        line through the two outermost cells reaches zero slightly too early, since the last one also carries the
+        pressure beyond it; the line through the next two slightly too late, since the square is curved. The mean of
+        both is within a sixth of a cell for Hertz's ellipse. Where the square does not fall from cell to cell, or there
+        are fewer than three, whole cells are counted.
         """
         return freeze(half_widths(self.pressure, self.dx))
 

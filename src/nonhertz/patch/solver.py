@@ -1,4 +1,4 @@
-"""The entry point: a contact, or any gap, and what is prescribed in, a solution on a plane grid out."""
+"""The entry point: a contact, or any gap, and its loading in, a solution on a plane grid out."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def solve(
     tolerance: float = 1e-8,
     threads: int | None = None,
 ) -> PatchSolution:
-    """Press the bodies of a contact together, their surfaces resolved across the contact as well as along.
+    """Solve a contact on a plane grid, which resolves the surfaces across the contact as well as along.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity; the sentences are in ``solution.findings`` too.
+        If the result strains the model's validity; ``solution.findings`` has the same sentences.
 
     Notes
     -----
@@ -188,7 +188,7 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
 
 
 def _failed_words(solution: PatchSolution, broken: str, tolerance: float) -> str:
-    """Return the message for a failed solve: how far it came, and likely causes."""
+    """Return the message for a failed solve: the residual reached, and likely causes."""
     stiff = "a moment carried by only one or two rows of cells, or a gap that is rough from cell to cell"
     missed = solution.residual > tolerance
     lacking = f"The residual is {solution.residual:.2g}, not {tolerance:g}" if missed else broken.rstrip(".")

@@ -1,7 +1,7 @@
-"""The gap of the undeformed surfaces: of the bodies or as given, with every feature added, and checked on every call.
+"""The gap of the undeformed surfaces, from the bodies or a function, with all features, checked on every call.
 
-User functions are called in many places and may return anything. What they return is checked only here, so that a
-faulty one is named in the error, and the rest of the package sees only arrays of numbers.
+User functions may return anything. Their values are checked only here, so that the error names a faulty function and
+the rest of the package gets only arrays of numbers.
 """
 
 from __future__ import annotations

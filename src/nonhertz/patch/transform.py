@@ -1,7 +1,7 @@
 """A product in Fourier space on a grid larger than the field, a block of rows or columns at a time.
 
 Rows are transformed first, one by one, skipping the rows of zero padding; then columns, a block at a time, each
-transformed back before the next block. So the larger grid never exists as a whole, the working set stays in the
+transformed back before the next block. The larger grid thus never exists as a whole, the working set stays in the
 cache of a core, and blocks can be distributed over threads. The result does not depend on the number of threads. On
 512 x 1024 cells whole solves by `scipy.fft.rfft2` take 1.3 times as long and 1.6 times the memory, by its transforms of
 all rows and then all columns 1.1 times as long and 1.5 times the memory (two cores, SciPy 1.17).
@@ -37,7 +37,7 @@ def filter_blocks(
     size : tuple of int
         Size of the larger grid.
     product : callable
-        Takes a block of columns of the spectrum and where it lies, and returns the columns of the result.
+        Takes a block of columns of the spectrum and its position, and returns the columns of the result.
     pool : Executor or None
         Threads to distribute the blocks to.
 

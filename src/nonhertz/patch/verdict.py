@@ -1,9 +1,9 @@
 """The final check of a solution before it leaves the package: every condition again, from the returned arrays alone.
 
-Nothing is taken from the iterations. The undeformed gap is evaluated again on all cells, load and moment are summed
+The check does not use the iterations. The undeformed gap is evaluated again on all cells, load and moment are summed
 from the pressures, and the displacement at a sample of cells is a plain sum over all others, without Fourier
 transforms, images and depth included: it shares only `kernel.rectangles`, which tests compare with closed forms, with
-`convolution`. So a wrong spectrum, a stale array or a set that never settled cannot pass for a solution.
+`convolution`. A wrong spectrum, a stale array or a set that did not converge is thus detected.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _complaints(solution: PatchSolution, gap: Gap, prescription: Prescription, t
 
 
 def _unbalanced(solution: PatchSolution, prescription: Prescription, allowed: float) -> Iterator[str]:
-    """Yield what of load, approach, moment and tilt is not what was prescribed, or not the sum of the cells."""
+    """Yield complaints on load, approach, moment or tilt that differ from the prescribed value or the sum of cells."""
     area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
     load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))
     pairs = []
@@ -89,12 +89,12 @@ def _unbalanced(solution: PatchSolution, prescription: Prescription, allowed: fl
 
 
 def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: float) -> Iterator[str]:
-    """Yield whether cells under pressure are apart, others overlap, or the gap is not that of the pressure."""
+    """Yield complaints on cells under pressure that are apart, others that overlap, and a gap unlike the pressure's."""
     bearing = np.isfinite(undeformed)
     outside = solution.footprint & ~bearing
     if outside.any():
         borne = float(solution.pressure[outside].sum()) * solution.dx * solution.dy
-        yield f"Cells without a body, where the gap is infinite, bear {newton(borne):.3g}."
+        yield f"Cells without a body, where the gap is infinite, carry {newton(borne):.3g}."
     rigid = solution.approach + solution.tilt * solution.y
     displaced = np.subtract(solution.gap, undeformed, out=np.zeros_like(undeformed), where=bearing)
     displaced += rigid * bearing
@@ -102,7 +102,7 @@ def _open_or_overlapping(solution: PatchSolution, undeformed: Array, tolerance: 
     digits = LAST_DIGITS * float(np.max(np.abs(undeformed[bearing]), initial=0.0) + np.max(np.abs(rigid)))
     allowed = (tolerance + ROUNDING) * largest + digits
     if (apart := float(np.max(np.abs(solution.gap[solution.footprint]), initial=0.0))) > allowed:
-        yield f"Cells that bear a pressure are apart or overlap by {mm(apart):.3g}."
+        yield f"Cells under pressure are apart or overlap by {mm(apart):.3g}."
     if (overlap := -float(np.min(solution.gap[bearing], initial=0.0))) > allowed:
         yield f"Cells without pressure overlap by {mm(overlap):.3g}."
     places = _sample(solution, bearing)
@@ -147,7 +147,7 @@ def displacement(solution: PatchSolution, places: Places) -> Array:
     away = [np.abs(np.arange(nx) - i) for i in places[:, 0]]
     blocks = [edges_from(start * dx, min(ROWS, nx - start), dx) for start in range(0, nx, ROWS)]
     for sign, offset, weight in influence.terms.tolist():
-        # Shifted, the pressure in column l is j - l cells away; mirrored about the first row, it is j + l.
+        # The pressure in column l is j - l cells away if shifted, j + l cells if mirrored about the first row.
         first = -(ny - 1) * dy if sign > 0.0 else 2.0 * float(solution.y[0])
         along = edges_from(first - offset, 2 * ny - 1, dy)
         kernel = np.concatenate([rectangles(across, along) for across in blocks])

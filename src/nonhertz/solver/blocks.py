@@ -1,4 +1,4 @@
-"""Cases that were solved together, with their results as the core has them."""
+"""Cases that were solved together, with their results from the core."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ def list_contacts(contacts: Contact | Iterable[Contact]) -> list[Contact]:
 
 @dataclass(frozen=True)
 class Block:
-    """Cases that were solved together, or cases that have no solution for the same reason.
+    """Cases that were solved together, or cases that failed for the same reason.
 
-    For a case without one, the states are those that the solver reached, if any.
+    For a failed case, the states are those that the solver reached, if any.
     """
 
     problem: Problem

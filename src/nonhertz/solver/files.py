@@ -1,8 +1,7 @@
-"""Solutions on disk: what cannot be recomputed from the contacts, which is the state of every strip.
+"""Solutions on disk: only the state of every strip, which cannot be recomputed from the contacts.
 
-All states lie one behind the other, field by field, whatever their sizes: an archive of a million small arrays would
-take minutes to open. Cases stay in the blocks in which they were solved, so that all that is derived from them is the
-same to the last bit.
+All states are concatenated, field by field: an archive of a million small arrays would take minutes to open. Cases
+stay in the blocks in which they were solved, so that all derived results are the same to the last bit.
 """
 
 from __future__ import annotations
@@ -42,8 +41,7 @@ ARCHIVE = Archive(
 )
 _ELEMENTS = {element.name: element for element in (SEMI_ELLIPTIC, PARABOLIC)}
 _COUNTED = {"status", "steps"}
-# Relative to the largest value. Another processor may compute a logarithm with another last digit, and the contact
-# is the same.
+# Relative to the largest value: on another processor the last digit of a logarithm may differ for the same contact.
 SAME = 1e-12
 _AS_GIVEN = "give them as they were given to solve_many"
 
@@ -84,7 +82,7 @@ def save(
 def read(
     path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]
 ) -> tuple[tuple[int, ...], tuple[Block, ...], dict[str, NDArray[Any]]]:
-    """Return the shape of the results, the blocks, and the axes, which files before 0.1.0 do not have."""
+    """Return the shape of the results, the blocks, and the axes, which files before 0.1.0 lack."""
     sources = list_contacts(contacts)
     entries = ARCHIVE.load(path)
     stated = text(entries, "digest")
@@ -103,7 +101,7 @@ def read(
 
 
 class _SavedCase(NamedTuple):
-    """A case with a state on each level, or cases without any that have the same error."""
+    """A case with a state on each level, or cases without states that have the same error."""
 
     row: tuple[int, int, int, bool]  # number of the contact, of cases, of levels; whether they failed
     numbers: list[int]
@@ -132,7 +130,7 @@ def _blocks(fields: Entries, sources: list[Contact], which: NDArray[np.intp]) ->
         first += cases
         numbers = fields["numbers"][part].tolist()
         targets = [(one, two) for one, two in fields["targets"][part].tolist()]
-        # All are compared; the same contact may have been given several times as equal ones.
+        # All are compared; the same contact may have been given several times as equal objects.
         problem, *_ = (problems.of(contact, sources, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         states = [next(levels) for _ in range(grids)]
         results = [restored(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
@@ -185,16 +183,16 @@ def _levels(fields: Entries) -> Iterator[LevelState]:
 
 
 class _Fingerprint(NamedTuple):
-    """What a contact is known again by.
+    """Data by which a contact is recognised.
 
     Attributes
     ----------
     places : ndarray, shape (n,)
-        Where its surfaces are compared [mm].
+        Positions at which its surfaces are compared [mm].
     surfaces : ndarray, shape (5, n)
         Relief and curvature of both bodies, and the smaller of their depths.
     numbers : ndarray, shape (k,)
-        Materials and intervals of both bodies, how strips act, and bends.
+        Materials and intervals of both bodies, influence of strips, and bends.
     """
 
     places: Array
@@ -203,7 +201,7 @@ class _Fingerprint(NamedTuple):
 
     @classmethod
     def of(cls, problem: Problem, places: Array) -> _Fingerprint:
-        """Return that of a contact."""
+        """Return the fingerprint of a contact."""
         contact = problem.contact
         of_bodies = [values for body in (contact.a, contact.b) for values in _surface(body, places)]
         influence, bends = problem.model.influence, contact.bends
@@ -246,13 +244,13 @@ def _surface(body: Body, places: Array) -> Iterator[Array]:
     for function in (body.relief_at, body.curvature_at):
         try:
             yield np.asarray(function(places), dtype=float)
-        # A user-written profile may raise anything; if it did so in all cases, it may do so here.
+        # A user's profile may raise anything; if it did so in all cases, it may do so here.
         except Exception:  # noqa: BLE001
             yield np.full(places.shape, np.nan)
 
 
 def _places(block: Block) -> Array:
-    """Return where the contact of a block is looked at: on the strips of its first case, if it has any."""
+    """Return the positions at which the contact of a block is compared: the strips of its first case, if any."""
     if block.results:
         edges = block.results[0].edges
         return 0.5 * (edges[1:] + edges[:-1])
@@ -270,7 +268,7 @@ class _Problems:
         self._known: dict[tuple[int, int], Problem] = {}
 
     def of(self, stored: int, sources: list[Contact], at: int) -> Problem:
-        """Return the problem of a given contact that should be a stored one."""
+        """Return the problem of a given contact, which must match a stored one."""
         contact, fields = sources[at], self._fields
         if (stored, id(contact)) not in self._known:
             accuracy, accuracy_given, of_pressure = fields["accuracy"].tolist()
@@ -297,7 +295,7 @@ class _Problems:
 
 
 class _SavedValue:
-    """Stands for a value of which only what a message shows of it was saved."""
+    """Stands for a value of which only the text shown in messages was saved."""
 
     def __init__(self, as_shown: str) -> None:
         self._as_shown = as_shown
@@ -307,7 +305,7 @@ class _SavedValue:
 
 
 def _describe_error(error: Exception) -> dict[str, Any]:
-    """Return an error as plain values; arguments are shown as Python writes them where it can read that again."""
+    """Return an error as plain values; arguments as Python literals where these can be read back."""
     arguments = [] if isinstance(error, ConvergenceError) else [_write_argument(value) for value in error.args]
     return {"type": _name(type(error)), "arguments": arguments, "message": str(error)}
 
@@ -318,7 +316,7 @@ def _write_argument(value: object) -> str:
 
 
 def _parse_literal(written: str) -> Any:
-    """Return the value that Python writes like this, or None if it cannot be read again."""
+    """Return the value of a Python literal, or None if it cannot be read."""
     try:
         value = ast.literal_eval(written)
     except (ValueError, SyntaxError, MemoryError, RecursionError, TypeError):
@@ -329,7 +327,7 @@ def _parse_literal(written: str) -> Any:
 def _failed_block(block: Block, described: dict[str, Any], known: dict[str, type[Exception]]) -> Block:
     """Return a block of cases without a solution, with their error."""
     error: Exception | None = None
-    if block.results:  # not converged: the error holds the state that was reached
+    if block.results:  # not converged: the error holds the state reached
         try:
             outcome(block.problem.of(block.targets[0]), block.results[0])
         except ConvergenceError as again:
@@ -349,13 +347,13 @@ def _restore_error(kind: type[Exception], arguments: list[str]) -> Exception | N
     ]
     try:
         return kind(*values)
-    # Whatever a class makes of its arguments: the message is kept all the same.
+    # Whatever a class does with its arguments: the message is kept.
     except Exception:  # noqa: BLE001
         return None
 
 
 def _errors_by_name() -> dict[str, type[Exception]]:
-    """Return all classes of errors that have been imported; none is imported because a file names it."""
+    """Return all imported error classes; none is imported because a file names it."""
     kinds, stack = {Exception}, [Exception]
     while stack:
         for kind in stack.pop().__subclasses__():

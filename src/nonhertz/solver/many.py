@@ -1,8 +1,8 @@
 """Thousands of cases in one call: loads, tilts and contacts, on all cores.
 
-Each case is solved as by `nonhertz.solve`, some dozens in a row by each thread. On a number of strips, or on given
-ones, a case may start from the one before, and then equals the result of `nonhertz.solve` to the tolerance of the
-equations; on the automatic grid, to the last bit.
+Each case is solved as by `nonhertz.solve`, some dozens in a row by each thread. On a given number of strips, or given
+edges, a case may start from the one before; its result then agrees with `nonhertz.solve` to the tolerance of the
+equations. On the automatic grid it agrees to the last bit.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 # Cases per unit of work for a thread: on shared strips, and with a separate grid for each. Fixed, so that results do
 # not depend on the number of threads.
 CASES_AT_ONCE, CASES_APART = 64, 32
-# A motion and the force in its place, for each column of targets.
+# A motion, and the force that may replace it, for each column of targets.
 _PRESCRIBED = ("approach", "load", "tilt", "moment")
 
 
@@ -92,14 +92,14 @@ def solve_many(
     Warns
     -----
     AccuracyWarning
-        If some results strain the model's validity, or some contacts end where the pressure has no limit: one warning
-        for each of the two, whatever the number of cases; see `Solutions.warnings`.
+        If some results strain the model's validity, or the pressure is singular at the ends of some contacts: one
+        warning for each of the two, whatever the number of cases; see `Solutions.warnings`.
 
     Notes
     -----
     Each case stores its strips on all levels: some 3 kB on 41 strips, 15 kB on the automatic grid.
 
-    A case that starts from its neighbour may be solved where it would fail on its own. One that fails so is tried on
+    A case that starts from its neighbour may succeed where it would fail on its own. If it fails, it is also tried on
     its own.
 
     Examples
@@ -131,14 +131,14 @@ def solve_without_warnings(
     accuracy: float | None = None,
     accuracy_of: Goal | None = None,
 ) -> Solutions:
-    """Return what `solve_many` does, in the caller's thread and without warnings.
+    """Return the same as `solve_many`, in the caller's thread and without warnings.
 
     Starting a thread takes as long as a simple case.
 
     Raises
     ------
     InputError
-        As `solve_many` does.
+        As for `solve_many`.
     """
     axes, tasks = _lay_out(contact, prescribed, _Options(element_of(element), strips, accuracy, accuracy_of))
     stop, shape = core.Stop(), tuple(values.size for values in axes.values())
@@ -147,7 +147,7 @@ def solve_without_warnings(
 
 @dataclass(frozen=True)
 class _Options:
-    """What all cases share beside what is prescribed."""
+    """Options shared by all cases."""
 
     element: Element
     strips: Strips
@@ -170,7 +170,7 @@ def _lay_out(
 def _broadcast(
     contacts: int | None, prescriptions: dict[str, ArrayLike]
 ) -> tuple[tuple[int, ...], NDArray[np.intp], dict[str, Array]]:
-    """Return the shape of the results, and for each case the index of its contact and what is prescribed."""
+    """Return the shape of the results, and for each case the index of its contact and its prescribed values."""
     columns = {"contacts": np.zeros((), dtype=int) if contacts is None else np.arange(contacts)}
     columns |= {name: _parse_column(name, value) for name, value in prescriptions.items()}
     try:
@@ -186,7 +186,7 @@ def _broadcast(
 
 
 def _parse_column(name: str, value: ArrayLike) -> NDArray[Any]:
-    """Return a prescribed quantity as an array of numbers; text is read with its unit."""
+    """Return a prescribed quantity as an array of numbers; text is converted from its unit."""
     try:
         column = np.asarray(value)
         if column.dtype.kind in "UO":
@@ -206,7 +206,7 @@ def _parse_column(name: str, value: ArrayLike) -> NDArray[Any]:
 
 @contextmanager
 def _naming_case(number: int, shape: tuple[int, ...]) -> Iterator[None]:
-    """Say in which of several cases an input is invalid."""
+    """Name the case in which an input is invalid, if there are several."""
     try:
         yield
     except InputError as error:
@@ -238,7 +238,7 @@ def _make_tasks(
         with _naming_case(numbers[0], shape):
             aim = options.accuracy, options.accuracy_of
             problem = problem_of(contact, case(numbers[0]), options.element, options.strips, *aim)
-        # A moment may act outside the bodies in any case; a load out of range shows in the extreme cases.
+        # A moment may act outside the bodies in any case; a load out of range is found among the extreme cases.
         loads = prescribed.get("load", np.zeros(which.size))[numbers]
         outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
         for number in numbers if "moment" in prescribed else outermost:

@@ -1,4 +1,4 @@
-"""The entry point for one case: a contact and what is prescribed in, a solution out."""
+"""The entry point for one case: a contact and its loading in, a solution out."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from nonhertz.strip.problem import Flags, Problem, StripModel, Target
 Array = NDArray[np.float64]
 #: A number of equal strips, the edges of strips, or an automatic grid.
 Strips = int | Literal["auto"] | ArrayLike | None
-#: What the accuracy is of.
+#: Quantities that the accuracy may refer to.
 Goal = Literal["approach", "pressure"]
 GOALS: tuple[Goal, ...] = ("approach", "pressure")
 
-ACCURACY = 1e-4  # of the approach, if no other is asked for
+ACCURACY = 1e-4  # of the approach, by default
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
-# Coarser grids take as long, and some miss peaks of the pressure in silence.
+# Coarser grids take as long, and some miss peaks of the pressure without notice.
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-6, 1e-3
-PRESSURE_ACCURACY = 1e-3  # of the largest pressure, if no other is asked for
+PRESSURE_ACCURACY = 1e-3  # of the largest pressure, by default
 
 
 def solve(
@@ -49,9 +49,10 @@ def solve(
     accuracy: float | None = None,
     accuracy_of: Goal | None = None,
 ) -> Solution:
-    """Press the bodies of a contact together.
+    """Solve the elastic contact of two bodies under a load or approach, and a tilt or moment.
 
-    Quantities may be text with a unit, such as ``"20 kN"``.
+    Quantities may be text with a unit, such as ``"20 kN"``. Bodies are linear elastic and the contact is free of
+    friction; its width must be small compared with the bodies, which the solution's findings check.
 
     Parameters
     ----------
@@ -73,11 +74,11 @@ def solve(
         the strips [mm], ascending. Omitted or ``"auto"``: a graded grid adapted to the contact.
     accuracy : float, optional
         The target relative error of the approach, or of the load where the approach is given, from 1e-6 to 1e-3; the
-        automatic grid gets as many strips as that needs. If left out, 1e-4. Whether it was met is told by
-        ``solution.error_estimate``.
+        automatic grid gets as many strips as that needs. If left out, 1e-4. ``solution.error_estimate`` says
+        whether it was met.
     accuracy_of : str, optional
-        ``"approach"``, or ``"pressure"`` for a grid that aims at this relative error of the largest pressure, and at
-        no less than the usual accuracy of the approach; ``accuracy`` is then 1e-3 if left out.
+        ``"approach"``, or ``"pressure"`` for a grid that aims at this relative error of the largest pressure, and
+        at least at the default accuracy of the approach; ``accuracy`` is then 1e-3 if left out.
 
     Returns
     -------
@@ -93,8 +94,8 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity, the accuracy asked for was not met, or the contact ends where the
-        pressure has no limit; the sentences are in ``solution.findings`` too.
+        If the result strains the model's validity, the requested accuracy was not met, or the pressure is singular at
+        an end of the contact; ``solution.findings`` has the same sentences.
 
     Examples
     --------
@@ -120,7 +121,7 @@ def problem_of(
     accuracy: float | None = None,
     accuracy_of: Goal | None = None,
 ) -> Problem:
-    """Return what the strips have to satisfy.
+    """Return the problem that the strips have to solve.
 
     Raises
     ------
@@ -140,17 +141,17 @@ def problem_of(
     if accuracy_of != "pressure":
         return problem
     of_pressure = accuracy or PRESSURE_ACCURACY
-    # The estimate of the largest pressure is never less than what the grid aims for in the approach.
+    # The estimate for the largest pressure is never below the grid's target for the approach.
     return replace(problem, accuracy=min(0.5 * of_pressure, ACCURACY), pressure_accuracy=of_pressure)
 
 
 def bound_contact(problem: Problem) -> tuple[float, float]:
-    """Return the interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
+    """Return the interval that contains the contact [mm]; finite even where the bodies are unbounded.
 
     Raises
     ------
     InputError
-        If nothing ends the contact, or nothing can meet what is prescribed.
+        If the contact is unbounded, or the prescribed values cannot be met.
     """
     try:
         low, high = core.bounded(problem.model.in_core, problem.by_force, problem.target)
@@ -182,7 +183,7 @@ def element_of(element: Element | str) -> Element:
 
 
 def refuse_accuracy(strips: Strips, accuracy: float | None, accuracy_of: str | None = None) -> None:
-    """Refuse an accuracy that no grid has, and any beside strips that are given: both say how many there are."""
+    """Refuse an accuracy out of range, and any accuracy together with given strips."""
     if accuracy_of is not None:
         one_of("accuracy_of", accuracy_of, GOALS, "leave it out for the accuracy of the approach")
         if not is_automatic(strips):
@@ -216,18 +217,18 @@ def strips_of(problem: Problem, strips: Strips) -> core.Accuracy | int | Array:
 
 
 def result_of(problem: Problem, strips: core.Accuracy | int | Array) -> core.Result:
-    """Return what the core has found.
+    """Return the result from the core.
 
     Raises
     ------
     InputError
-        If no strips can meet what is prescribed.
+        If no strips can meet the prescribed values.
     """
     try:
         result = core.solve(problem.model.in_core, problem.by_force, problem.target, strips)
     except core.Refused as refused:
         raise refusal(problem, refused) from None
-    assert result is not None  # nobody stops it but by a signal, whose exception passes
+    assert result is not None  # only a signal stops it, whose exception propagates
     return result
 
 

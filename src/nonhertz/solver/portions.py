@@ -1,7 +1,7 @@
-"""Cases solved in portions on several threads: announced as they finish, and kept if the run is stopped.
+"""Cases solved in portions on several threads: reported as they finish, and kept if the run is stopped.
 
-A portion holds the same cases whatever the number of threads, and portions are collected in one order, so that neither
-results nor announcements depend on it.
+A portion holds the same cases whatever the number of threads, and portions are collected in a fixed order, so that
+neither results nor callbacks depend on it.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from nonhertz.strip.problem import Problem, Target
 
 Array = NDArray[np.float64]
 
-# How long a stopped run waits for portions that have begun: they end within a Newton step, but for profiles of the
-# user's, which may take their time.
+# How long a stopped run waits for portions that have begun: they end within a Newton step, except for users' profiles,
+# which may be slow.
 PATIENCE = 1.0  # s
-NOT_SOLVED = "The case was not solved: the run was stopped before it was its turn."
+NOT_SOLVED = "The case was not solved: the run was stopped before it began."
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -43,9 +43,9 @@ class Chunk:
     numbers : ndarray of int, shape (cases,)
         Numbers of the cases, ascending, counted along all axes of the results: positions in the flattened arrays.
     done, total : int
-        How many cases are finished, these included, and how many there are.
+        Number of finished cases, including these, and number of all cases.
     solutions : Solutions
-        The results of these cases, in the order of ``numbers``; put together when first asked for.
+        The results of these cases, in the order of ``numbers``; assembled on first access.
     """
 
     numbers: NDArray[np.intp]
@@ -82,12 +82,12 @@ class Task:
     def solved(self, stop: core.Stop) -> list[Block]:
         """Solve the cases; return those with a solution in one block, the others in a block each.
 
-        Once the run is stopped, the cases that are left are not begun.
+        Once the run is stopped, the remaining cases are not begun.
         """
         problem = self.problem
         try:
             ended = core.solve_in_turn(problem.model.in_core, problem.by_force, self.targets, self.strips, stop)
-        # Whatever a case raises, even from a user-written profile, must not stop the others.
+        # An exception of one case, even from a user's profile, must not stop the others.
         except Exception as error:  # noqa: BLE001
             return self.without((), error.with_traceback(None))
         failed: list[Block] = []
@@ -130,7 +130,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Work:
-    """Tasks that one thread solves one after the other; when they all are, their cases are announced."""
+    """Tasks that one thread solves one after the other; their cases are reported when all are solved."""
 
     tasks: tuple[Task, ...]
 
@@ -186,12 +186,12 @@ class Run:
             stop.set()
             pool.shutdown(wait=False, cancel_futures=True)
             with contextlib.suppress(KeyboardInterrupt):  # a second Ctrl-C: wait no longer
-                # Of cancelled ones, `wait` would never hear that they are done.
+                # `wait` would never be notified of cancelled ones.
                 wait([future for future in self._futures if not future.cancelled()], PATIENCE)
         return self._so_far()
 
     def outcome(self, callback: Callable[[Chunk], object] | None) -> tuple[Solutions, tuple[Finding, ...]]:
-        """Return the solutions of all portions, and what is to be warned of.
+        """Return the solutions of all portions, and the findings to warn about.
 
         Raises
         ------
@@ -221,6 +221,6 @@ class Run:
 
 
 def _result(future: Future[list[Block]]) -> list[Block]:
-    """Return what a portion has found; nothing if it was not begun, not finished, or failed."""
+    """Return the results of a portion; empty if it was not begun, not finished, or failed."""
     ended = future.done() and not future.cancelled() and future.exception() is None
     return future.result() if ended else []

@@ -1,4 +1,4 @@
-"""Why no strips can meet what is prescribed, as the error that the user reads."""
+"""Errors for prescribed values that no strips can meet."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def refusal(problem: Problem, refused: core.Refused) -> InputError:
 
 
 def refusal_in_words(refused: core.Refused, compliance: float, target: Iterable[float]) -> InputError:
-    """Return the error of what the core has refused, given a compliance K, and K Q or delta and K T or gamma."""
+    """Return the error of a refusal by the core, for a compliance K, and K Q or delta and K T or gamma."""
     why, value, low, high, strips = refused.args
     first, second = target
     between, arm = mm(low, high, between=" and "), mm(value)

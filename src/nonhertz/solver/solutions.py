@@ -35,14 +35,14 @@ _COLUMNS = (
     "approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length",
     "penetration",
 )  # fmt: skip
-# What `core.columns` has after these.
+# Columns of `core.columns` after these.
 STIFFNESS, SINGULAR, _WIDTH = slice(9, 13), 13, 14
 
 
 class Solutions(HasHtml):
     """The results of many cases: arrays of the most used quantities, and the full `Solution` of any case.
 
-    Where a case failed, its numbers are nan, and ``solutions[number]`` raises the error in `failures`.
+    The numbers of a failed case are nan, and ``solutions[number]`` raises its error from `failures`.
 
     Parameters
     ----------
@@ -58,20 +58,20 @@ class Solutions(HasHtml):
     approach, tilt, load, moment : ndarray, shape (...)
         As in `Solution` [mm, rad, N, N mm].
     max_pressure, max_pressure_y : ndarray, shape (...)
-        The largest pressure more than a half-width from ends where it has no limit [MPa], and where it is [mm].
+        The largest pressure [MPa] more than a half-width away from ends where it is singular, and its position [mm].
     max_half_width : ndarray, shape (...)
         The largest half-width, likewise [mm].
     contact_length, penetration : ndarray, shape (...)
         As in `Solution` [mm].
     singular : ndarray of bool, shape (...)
-        Whether the contact has such ends.
+        Whether the pressure is singular at an end of the contact.
     stiffness : ndarray, shape (..., 2, 2)
         As in `Solution`.
     converged : ndarray of bool, shape (...)
         Whether the case has a solution.
     axes : mapping of str to ndarray
-        The values of the input that varies along each axis and along no other, by its name: ``load``, or ``contact``, a
-        number. Other axes are numbered: ``case``, or ``case_0``.
+        Coordinates of each axis: the values of the input that varies along this axis only, by its name, such as
+        ``load``, or ``contact``, a number. Other axes are numbered: ``case``, or ``case_0``.
     """
 
     def __init__(
@@ -124,12 +124,12 @@ class Solutions(HasHtml):
     def column(self, name: str) -> Array:
         """Return any of `nonhertz.result.quantities.QUANTITIES` for all cases, nan where a case has no solution.
 
-        What is only rounding, such as the moment of a symmetric contact, is zero.
+        Values that are only rounding error, such as the moment of a symmetric contact, are zero.
 
         Parameters
         ----------
         name : str
-            Such as ``"approach"`` or ``"load_by_approach"``; values are in the units of Python.
+            Name of the quantity, such as ``"approach"`` or ``"load_by_approach"``; values are in mm, N, MPa and rad.
 
         Raises
         ------
@@ -151,7 +151,7 @@ class Solutions(HasHtml):
         """Return a pandas DataFrame: a row for each case, a column for each quantity, units in ``attrs["units"]``.
 
         The columns ``singular`` and ``converged`` follow the quantities. The index has a level for each of ``axes``;
-        a quantity that names an axis is no column.
+        a quantity that is an axis is not a column.
 
         Raises
         ------
@@ -193,8 +193,8 @@ class Solutions(HasHtml):
     def read(cls, path: str | os.PathLike[str], contacts: Contact | Iterable[Contact]) -> Solutions:
         """Return the solutions in a file that `save` wrote.
 
-        Errors in `failures` come back with their type if a class of that name is known, which for those of
-        user-written profiles means that their module has been imported; else as a NonhertzError with type and message.
+        Errors in `failures` are restored with their type if a class of that name is known, which for errors of a user's
+        profile means that its module has been imported; otherwise as a NonhertzError with type and message.
 
         Parameters
         ----------
@@ -206,8 +206,8 @@ class Solutions(HasHtml):
         Raises
         ------
         InputError
-            If the file cannot be read, is none of ours, of another version, or damaged; if the contacts are not those
-            that the cases were solved with.
+            If the file cannot be read, was not written by `save`, is of another version or damaged, or if the contacts
+            are not those that the cases were solved with.
         """
         return cls(*files.read(path, contacts))
 
@@ -250,18 +250,18 @@ class Solutions(HasHtml):
 
     @cached_property
     def failures(self) -> dict[Number, Exception]:
-        """Why cases have no solution, by case number, or by a tuple of numbers if there are several axes.
+        """Errors of failed cases, by case number, or by a tuple of numbers if there are several axes.
 
         Each is the error that `nonhertz.solve` raises for the case alone: an InputError, a ConvergenceError, or
-        whatever a user-written profile or diameter raised. For cases that an interrupted run did not reach, it is a
-        NonhertzError that says so.
+        whatever a user's profile or diameter raised. Cases that an interrupted run did not reach have a NonhertzError
+        that says so.
         """
         errors = {number: block.error for block in self._blocks if block.error is not None for number in block.numbers}
         return {case_label(number, self.shape): error for number, error in sorted(errors.items())}
 
     @cached_property
     def warnings(self) -> dict[Number, tuple[str, ...]]:
-        """The warnings of each case that has any: what strains the model, and ends without a limit of the pressure."""
+        """The warnings of each case that has any: strains of the model, and ends with singular pressure."""
         numbers = sorted({*np.flatnonzero(self.singular).tolist(), *self._strained})
         return {case_label(number, self.shape): self._solution(number).warnings for number in numbers}
 
@@ -278,7 +278,7 @@ class Solutions(HasHtml):
         for number in np.flatnonzero(self.singular)[:1].tolist():
             solution = self._solution(number)
             singularity = solution.judgement.singularities(solution)[0]
-            what = "contacts end where the pressure has no limit"
+            what = "contacts have an end with singular pressure"
             yield self._of_many("sharp-ends", what, int(np.count_nonzero(self.singular)), number, singularity)
 
     def _of_many(self, kind: str, what: str, cases: int, number: int, first: Finding) -> Finding:

@@ -1,1 +1,1 @@
-"""How it is solved: the strip-element method, arrays in and arrays out."""
+"""The strip-element method: arrays in, arrays out."""

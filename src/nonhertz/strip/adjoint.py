@@ -1,14 +1,14 @@
-"""What a solved contact answers to small changes of all it is given, by one solve of transposed equations.
+"""Sensitivity of a solved contact to small changes of all its inputs, by one solve of the transposed equations.
 
-On fixed strips, with those in contact the same, relative changes rho of r and mu of m and the changes of approach and
+On fixed strips, with the same strips in contact, relative changes rho of r and mu of m and the changes of approach and
 tilt follow from
 
     [B] r rho - [t B'] r mu / 2                     =  d(curvature)  - d[B] r
     [A] r m rho + ([A] - [t A'] / 2) r m mu - d(approach) - y d(tilt)  =  -d(separation) - d[A] r m
     sum w r m (rho + mu)                            =  d(K Q),   or the approach is given
-    sum w r m y (rho + mu)                          =  d(K T),   or the tilt is
+    sum w r m y (rho + mu)                          =  d(K T),   or the tilt is given
 
-with w the widths of strips: M x = c. A number whose derivatives by x are g then changes by g x = (M^-T g) c.
+with w the widths of strips: M x = c. A quantity with derivatives g by x then changes by g x = (M^-T g) c.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Linearisation(NamedTuple):
     Attributes
     ----------
     active : ndarray of int, shape (k,)
-        The strips in contact, among all.
+        Indices of the strips in contact.
     blocks : ndarray, shape (4, k, k)
         [A], [t A'], [B] and [t B'] of each at the centre of each.
     r, m : ndarray, shape (k,)
@@ -72,14 +72,14 @@ class Linearisation(NamedTuple):
         Parameters
         ----------
         by_force : tuple of bool
-            Whether the load, else the approach, and the moment, else the tilt, are given.
+            Whether the load is given rather than the approach, and the moment rather than the tilt.
         derivatives : ndarray, shape (2 k + 2,) or (2 k + 2, numbers)
-            g: by relative changes of r and of m, by approach and by tilt.
+            g: derivatives by relative changes of r and of m, by approach and by tilt.
 
         Raises
         ------
         numpy.linalg.LinAlgError
-            If the contact has no stiffness against what is given by force.
+            If the contact has no stiffness against a prescribed load or moment.
         """
         return np.asarray(np.linalg.solve(self.matrix(by_force).T, derivatives))
 
@@ -94,7 +94,7 @@ def linearise(grid: core.Grid, r: Array, m: Array, kernel: core.Kernel) -> Linea
     r, m : ndarray, shape (strips,)
         K q / a^2 and a^2, zero out of contact.
     kernel : Kernel
-        How strips act.
+        Influence of the strips.
     """
     active = np.flatnonzero(m > 0.0)
     blocks = core.coefficients(grid, m, active, kernel)[:, active]

@@ -77,7 +77,7 @@ class Element:
 
     @property
     def core(self) -> core.Element:
-        """The element as the core knows it."""
+        """The element in the core."""
         return {"semi-elliptic": core.SEMI_ELLIPTIC, "parabolic": core.PARABOLIC}[self.name]
 
 

@@ -1,15 +1,16 @@
-"""What a free side face adds to the displacement and curvature of strips and their images.
+"""Correction for a free side face to the displacement and curvature of strips and their images.
 
-A strip with its edges at the distances v and v' from the face, and a place at the distance u, all in half-widths, add
+With the edges of a strip at the distances v and v' from the face, and a point at the distance u, all in half-widths, it
+is
 
     displacement   K q [H(u, v') - H(u, v)],     H = integral of h dv from the face,
     curvature      K q [C(u, v') - C(u, v)] / a^2,
 
-with h what a load of unit length adds, of the strip's pressure across (`nonhertz.bodies.quarter_space`), and c its
-negative second derivative in x. Their derivatives by a follow from (u d/du + v d/dv) H and C. All four are read from
-one table of polynomials on squares that double in size away from the face. Far away they are series in 1 / a^2 with
-coefficients that depend on the direction only, which do not differ from one element to another but by the factors that
-the direct effect of the element has, too.
+where h is the correction for a load of unit length with the strip's pressure across
+(`nonhertz.bodies.quarter_space`), and c its negative second derivative in x. Their derivatives by a follow from
+(u d/du + v d/dv) H and C. All four are read from one table of polynomials on squares that double in size away from the
+face. Far away they are series in 1 / a^2 with coefficients that depend only on the direction; they differ between
+elements by the same factors as the direct effect.
 """
 
 from __future__ import annotations
@@ -34,20 +35,20 @@ FIRST_OCTAVE, LAST_OCTAVE = -14, 2
 CLOSE = 2.0**FIRST_OCTAVE
 OCTAVES = LAST_OCTAVE - FIRST_OCTAVE
 SQUARE_DEGREE = 9
-# Of the terms of the series, of which each counts 16 times less than the one before it.
+# Terms of the series; each is 16 times smaller than the one before it.
 DIRECTION_DEGREES = (20, 16, 12, 10, 8, 8)
 _FINE = 14  # nodes on each octave, from which the table is made
 
 
 @lru_cache(MOST)
 def face_table(element: Element, poisson: float) -> core.FaceTable:
-    """Return what the core reads for the free side face of a body."""
+    """Return the core's table for the free side face of a body."""
     return core.FaceTable(_table(element.name, poisson))
 
 
 @cache_on_disk(__name__, core.__name__, "nonhertz.bodies.quarter_space")
 def _table(name: str, poisson: float) -> Array:
-    """Return polynomials on squares, those of the series far away, and the slopes of h and c towards the edge."""
+    """Return the polynomials on squares, those of the far series, and the slopes of h and c towards the edge."""
     element, face = ELEMENTS[name], free_face(poisson)
     slopes = 0.5 * EDGE_SLOPE * np.array(element.core.leading[::2])
     return np.concatenate([_squares(element, face), _directions(face), slopes])
@@ -55,7 +56,7 @@ def _table(name: str, poisson: float) -> Array:
 
 def _squares(element: Element, face: FreeFace) -> Array:
     """Return coefficients, (octaves of u, of v, powers of u, of v, 4) flattened, highest powers first."""
-    # Neighbouring octaves share these nodes, so that nothing jumps where they meet.
+    # Neighbouring octaves share these nodes, so that the table is continuous where they meet.
     nodes, fine = chebyshev.chebpts2(SQUARE_DEGREE + 1), chebyshev.chebpts1(_FINE)
     to_nodes, slopes = _interpolation(fine, nodes)
     octave = 2.0 ** np.arange(FIRST_OCTAVE, LAST_OCTAVE)
@@ -93,7 +94,7 @@ def _integral(element: Element, face: FreeFace, u: Array, nodes: Array) -> Array
 
 
 def densities(element: Element, face: FreeFace, u: Array, v: Array) -> Array:
-    """Return h and c of places at ``u`` and loads at ``v``, shape (2, ...)."""
+    """Return h and c for points at ``u`` and loads at ``v``, shape (2, ...)."""
     u, v = np.broadcast_arrays(u, v)
     weights = face.weights.reshape(len(face.weights), -1)
     places, loads = (np.ascontiguousarray(column, dtype=float).ravel() for column in (u, v))
@@ -108,7 +109,7 @@ def _places(nodes: Array) -> Array:
 
 
 def _interpolation(nodes: Array, wanted: Array) -> tuple[Array, Array]:
-    """Return the matrices from values at given nodes to values and slopes at wanted ones."""
+    """Return the matrices from values at the nodes to values and slopes at other positions."""
     to_chebyshev = np.linalg.inv(chebyshev.chebvander(nodes, nodes.size - 1))
     units = np.eye(nodes.size)
     values = np.array([chebyshev.chebval(wanted, unit) for unit in units]).T
@@ -119,9 +120,9 @@ def _interpolation(nodes: Array, wanted: Array) -> tuple[Array, Array]:
 def _directions(face: FreeFace) -> Array:
     """Return the polynomials in the direction r of the series far away, and their sums.
 
-    The k-th term of h is G_k(r) / max(u, v)^(2 k + 1), so that its integral over v is u^-2k times that of G_k where v
-    is less than u; beyond, it is counted from infinity, as v^-2k times a function of r: there it is small, and in the
-    difference of two edges nothing cancels. They are scaled so that the factors of the element's own series hold.
+    The k-th term of h is G_k(r) / max(u, v)^(2 k + 1), so its integral over v is u^-2k times that of G_k for v below u;
+    beyond, it is taken from infinity, as v^-2k times a function of r, which is small, so that the difference of two
+    edges does not cancel. The terms are scaled so that the factors of the element's own series apply.
     """
     fine = chebyshev.chebpts1(4 * DIRECTION_DEGREES[0])
     r = 0.5 * (1.0 + fine)
@@ -130,7 +131,7 @@ def _directions(face: FreeFace) -> Array:
     for k in range(POWERS + 1):
         series = chebyshev.Chebyshev.fit(r, moments[:, k], 2 * DIRECTION_DEGREES[0], domain=[0.0, 1.0])
         degree = DIRECTION_DEGREES[k]
-        # By which the k-th term is that of a difference of 1 / t^2k in the element's series.
+        # Scales the k-th term to a difference of 1 / t^2k in the element's series.
         binomial = math.prod(-(0.5 + i) / (i + 1) for i in range(k))
         scale = (-1.0) ** (k + 1) * 2 * k / (math.factorial(2 * k) * binomial) if k else 1.0
         up_to = series.integ(lbnd=0.0)

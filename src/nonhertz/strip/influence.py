@@ -1,9 +1,9 @@
-"""From strip loads to displacement on the centre line, per unit of compliance: what the core is told of the bodies.
+"""From strip loads to displacement on the centre line, per unit of compliance: the description of bodies for the core.
 
-A strip acts at a point through the difference of an element's functions between its two edges, and its images do
-the same from their own positions. The core adds up *terms* (`nonhertz.bodies.influence`) without knowing what they
-stand for; those far away are added up once for a grid. The displacement at depth is linear in the loads and
-independent of the half-widths, so it is worked out once per grid, as a matrix that the loop subtracts.
+The effect of a strip at a point is the difference of an element's functions between its two edges; its images act in
+the same way from their own positions. The core adds up *terms* (`nonhertz.bodies.influence`) of any origin; distant
+ones are added up once per grid. The displacement at depth is linear in the loads and independent of the half-widths,
+so it is computed once per grid, as a matrix that the loop subtracts.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 def kernel_of(influence: Influence, element: Element) -> core.Kernel:
-    """Return how strips act, for the core."""
+    """Return the influence of strips for the core."""
     terms = [core.Term(*term) for term in influence.terms.tolist()]
     faces = [
         core.Face(face.y, face.side, face.share, face_table(element, face.poisson)) for face in influence.faces

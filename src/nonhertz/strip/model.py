@@ -1,4 +1,4 @@
-"""A contact as the core in C++ sees it: made once for a contact, and used by any number of threads."""
+"""A contact in the C++ core: made once for a contact and used by any number of threads."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions
     element : Element
         The strip element.
     as_functions : bool
-        Whether every profile is called in Python, also those that the core has a formula of: for comparisons.
+        Whether every profile is called in Python, even if the core has its formula: for comparisons.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def model_of(contact: Contact, element: Element = SEMI_ELLIPTIC, *, as_functions
         interval=contact.interval,
         bends=np.array(contact.bends, dtype=float),
         crests=np.array(contact.crests, dtype=float),
-        # Of the bodies alone: a contact that is kept by what it keeps would stay for ever.
+        # Holds the bodies only: a reference back to the contact would keep it alive for ever.
         refuse=apply_to_whole_arrays(partial(_curvature, contact.a, contact.b)),
     )
 

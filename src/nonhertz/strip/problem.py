@@ -1,4 +1,4 @@
-"""What strips have to satisfy: a contact, and what presses its bodies together."""
+"""The problem that strips solve: a contact and its loading."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Target = tuple[float, float]
 
 @dataclass(frozen=True, eq=False)
 class StripModel:
-    """A contact as strips of one element see it, whatever is prescribed and wherever they lie.
+    """A contact for strips of one element, independent of loading and grid.
 
     Attributes
     ----------
@@ -33,8 +33,8 @@ class StripModel:
 
     @classmethod
     def of(cls, contact: Contact, element: Element) -> StripModel:
-        """Return the model of a contact, which is kept with it."""
-        # Of a twin: a contact that is kept by what it keeps would stay until Python looks for cycles.
+        """Return the model of a contact, which is stored with it."""
+        # Holds a copy: a reference back to the contact would keep it alive until Python collects cycles.
         return get_or_compute(contact, (cls, id(element)), lambda: cls(replace(contact), element))
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -42,7 +42,7 @@ class StripModel:
 
     @cached_property
     def influence(self) -> Influence:
-        """How strips act."""
+        """Influence of the strips."""
         return influence_of(self.contact, self.element)
 
     @cached_property
@@ -53,14 +53,14 @@ class StripModel:
 
 @dataclass(frozen=True)
 class Problem:
-    """What the strips have to satisfy, on any grid.
+    """The conditions that the strips have to satisfy, on any grid.
 
     Attributes
     ----------
     contact : Contact
         The bodies, as the user gave them.
     model : StripModel
-        The same as strips see them.
+        The same bodies for strips.
     by_force : tuple of bool
         Whether the load (else the approach) and the moment (else the tilt) are given.
     target : tuple of float
@@ -70,7 +70,7 @@ class Problem:
     accuracy_given : bool
         Whether the user gave that.
     pressure_accuracy : float or None
-        Relative error of the largest pressure that it aims for too, if any.
+        Relative error of the largest pressure that the grid also aims for, if any.
     """
 
     contact: Contact

@@ -1,9 +1,9 @@
 """Stress below the surface of a solved contact.
 
-Use `stress` for any points, `axial_plane` and `cross_section` for planes, `volume` for grids, `passage` for what a
-point goes through while the load rolls over it, and `extremes` for the largest stresses and their positions. All of
-them accept both strips and plane grids, and give stress in MPa, compressive stress negative, with z pointing into the
-body.
+Use `stress` for any points, `axial_plane` and `cross_section` for planes, `volume` for grids, `passage` for the stress
+history of points while the load rolls over them, and `extremes` for the largest stresses and their positions. All of
+them accept solutions by strips and on plane grids, and give stress in MPa, compressive stress negative, with z pointing
+into the body.
 """
 
 from typing import TYPE_CHECKING

@@ -1,6 +1,6 @@
 """The public functions: stress at points, on planes and in volumes below a solved contact.
 
-Points are processed in chunks of fixed size, in parallel on all cores, so that hardly any memory is needed besides the
+Points are processed in chunks of fixed size, in parallel on all cores, so that little memory is needed besides the
 result, and the result does not depend on the number of threads.
 """
 
@@ -33,7 +33,7 @@ STATIONS, LEVELS, ACROSS = 201, 61, 81
 
 
 class Running(TypedDict, total=False):
-    """Options of how to run all functions; see `stress`."""
+    """Options for running all functions; see `stress`."""
 
     threads: int | None
     callback: Callback | None
@@ -92,10 +92,10 @@ def stress(
     x, y, z : array_like
         Points [mm] across, along and below the surface, z >= 0; broadcast against each other.
     body : {"a", "b"}
-        ``"a"`` or ``"b"``: the body that the points lie in. Both bear the same pressure; Poisson's ratio and mirror
-        images are each body's own.
+        The body that contains the points. Both bodies are under the same pressure; Poisson's ratio and mirror images
+        are each body's own.
     displacement : bool
-        Whether to return displacements too; not in a hollow roller, whose bending they do not know.
+        Whether to return displacements as well; not available for a hollow roller, whose bending they do not include.
     threads : int, optional
         Number of threads; all cores if left out. The result does not depend on it.
     callback : callable, optional
@@ -113,26 +113,27 @@ def stress(
 
     Notes
     -----
-    A half-space under the pressure of the solution, with the images of the body's side faces, and what an elastic
-    quarter-space adds to them where a face is free: no stress is left on it. This includes faces with calibrated or
-    weighted images, all of which weigh 1 here. A mirrored face is free of shear alone, as a plane of symmetry is, and
-    behind an untreated one the half-space goes on. Near free faces stress is within 1 % of the largest pressure.
+    The body is a half-space under the pressure of the solution, with the images of its side faces and, where a face is
+    free, the correction for an elastic quarter-space, which leaves no stress on the face. This includes faces with
+    calibrated or weighted images, all of which have weight 1 here. A mirrored face is free of shear only, like a plane
+    of symmetry, and behind an untreated face the half-space continues. Near free faces the error of the stress is below
+    1 % of the largest pressure.
 
-    Displacement has the weights of the solution: on the surface in contact, u_z of both bodies adds up to the
+    Displacement uses the weights of the solution: on the surface in contact, u_z of both bodies adds up to the
     interference that was solved, within 1e-3 of the largest on the automatic grid; 1.5e-3 in the last half-widths
     before a run-out, 1.5 % within a twentieth of a half-width of a sharp end, and 1.5 % under parabolic strips.
 
     The pressure of strips is interpolated smoothly between their centres so that each keeps its load; that of a plane
-    grid is uniform in each cell, which shows near the surface. Parabolic strips count as the semi-ellipses of equal
-    load, whose pressure the solution reports: a parabola has a tenth less orthogonal shear than the contact it
+    grid is uniform in each cell, which shows near the surface. Parabolic strips are evaluated as the semi-ellipses of
+    equal load, whose pressure the solution reports: a parabola has a tenth less orthogonal shear than the contact it
     represents.
 
-    The pressure of strips bears the solution's load; its moment is the solution's within 1e-3 of load times half the
-    length of the contact. Against point loads summed by other code below 300 random contacts, on automatic and on few
-    and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the largest pressure for half of
-    the points, 5e-5 for 90 %, 4e-4 for 99 % and 1.3e-3 for all; pressures at centres are within 6e-4
+    The interpolated pressure of strips has the solution's load, and its moment within 1e-3 of load times half the
+    length of the contact. Compared with point loads summed by other code below 300 random contacts, on automatic and on
+    few and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the largest pressure for half
+    of the points, 5e-5 for 90 %, 4e-4 for 99 % and 1.3e-3 for all; pressures at centres are within 6e-4
     (tests/campaign/test_stress_campaign.py). Nearer to the surface than 0.04 half-widths the field is accurate to the
-    steps between pieces, half a per cent. Errors of the solution's pressure carry over to the field: on the automatic
+    steps between pieces, half a per cent. Errors of the solution's pressure also affect the field: on the automatic
     grid up to a per cent of the largest stress within a half-width of a run-out, and far more on few strips. About
     10 MB are needed besides the result; see `memory`.
 
@@ -155,7 +156,7 @@ def stress(
     check_callback(callback)
     inside = Inside.of(solution, body)
     if displacement and inside.body.bore is not None:
-        raise InputError("displacement", True, "only be asked for in bodies without a bore", "leave it out")
+        raise InputError("displacement", True, "only be requested in bodies without a bore", "leave it out")
     places = broadcast(
         POINTS_REMEDY, *(finite_numbers(name, value) for name, value in zip("xyz", (x, y, z), strict=True))
     )
@@ -213,10 +214,10 @@ def axial_plane(
     solution : Solution or PatchSolution
         A solved contact.
     y : array_like, shape (m,), optional
-        Stations [mm]; 201 over the contact and two half-widths beyond, as far as the body goes, if left out.
+        Stations [mm]; by default 201 over the contact and two half-widths beyond, within the body.
     z : array_like, shape (n,), optional
-        Depths [mm]; 61 down to three half-widths if left out.
-    x : float
+        Depths [mm]; by default 61 down to three half-widths.
+        x : float
         Position of the plane across the contact [mm].
     **options
         As in `stress`.
@@ -250,7 +251,7 @@ def cross_section(
     station : float
         Position along y [mm].
     x : array_like, shape (m,), optional
-        Positions across [mm]; 81 over two half-widths to either side if left out.
+        Positions across [mm]; by default 81 over two half-widths to either side.
     z : array_like, shape (n,), optional
         Depths [mm]; 61 down to three half-widths if left out.
     **options
@@ -283,7 +284,7 @@ def volume(solution: Solved, x: ArrayLike, y: ArrayLike, z: ArrayLike, **options
     Returns
     -------
     Field
-        Shape (l, m, n). If that does not fit into memory, call it slice by slice: points are independent.
+        Shape (l, m, n). If it does not fit into memory, compute it slice by slice: points are independent.
     """
     refuse_options("volume", options, Options)
     across, along, below = _row("x", x), _row("y", y), _row("z", z)
@@ -307,8 +308,8 @@ def memory(points: int, *, displacement: bool = False) -> int:
 def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
     """Return the middle of the contact across and the effective half-width [mm] at stations.
 
-    Where a contact runs out or has ended, the half-width is that of neighbouring strips less half the distance to them,
-    since their field reaches that deep and wide there.
+    Where a contact runs out or has ended, the half-width is that of neighbouring strips minus half the distance to
+    them, since their field has that extent there.
 
     Raises
     ------
@@ -324,7 +325,7 @@ def across_at(solution: Solved, y: Array) -> tuple[Array, Array]:
     for start in range(0, stations.size, PORTION):
         part = slice(start, start + PORTION)
         apart = np.abs(stations[part, None] - along)
-        # Beyond the outermost centres a strip counts in full up to its edge.
+        # Beyond the outermost centres a strip has its full half-width up to its edge.
         beyond = (stations[part] < along[0]) | (stations[part] > along[-1])
         apart[beyond] = np.maximum(apart[beyond] - half_length, 0.0)
         counted[part] = np.maximum(counted[part], (half_width - NARROWING * apart).max(axis=1))

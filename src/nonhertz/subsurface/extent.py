@@ -1,4 +1,4 @@
-"""Where a body has material: above its bore, within its diameter, within its thickness."""
+"""The material of a body: above its bore, within its diameter, within its thickness."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ROUNDING = 1e-9  # of the thickness
 
 @dataclass(frozen=True)
 class Extent:
-    """The material of one body below its surface, which is unlimited where ``depth`` names no thickness.
+    """The material of one body below its surface, unlimited where ``depth`` is not a thickness.
 
     Parameters
     ----------
@@ -34,17 +34,17 @@ class Extent:
 
     @property
     def round(self) -> bool:
-        """Whether it ends with a diameter, not with a thickness."""
+        """Whether a diameter, not a thickness, limits it."""
         return self.body.behind.of_diameter
 
     def radii(self, y: Array) -> tuple[Array, Array]:
-        """Return the radii of the surface and of the bore [mm], 0 where there is none, of a round body."""
+        """Return the radii of the surface and of the bore of a round body [mm], 0 where there is no bore."""
         bore = self.body.bore
         inner = 0.5 * np.asarray(bore(y - self.body.position) if callable(bore) else bore or 0.0, dtype=float)
         return 1.0 / self.body.curvature_at(y), np.broadcast_to(inner, y.shape)
 
     def thickness(self, y: Array) -> Array:
-        """Return how deep the material goes below the centre line [mm]; infinite where that is not known."""
+        """Return the depth of material below the centre line [mm]; infinite where it is not known."""
         if self.round:
             outer, inner = self.radii(y)
             return np.where(inner > 0.0, outer - inner, 2.0 * outer)
@@ -53,7 +53,7 @@ class Extent:
     def holds(self, x: Array, y: Array, z: Array) -> NDArray[np.bool_]:
         """Return at which points there is material.
 
-        As in the half-space, all of the plane z = 0 within the diameter stands for the surface.
+        As for the half-space, the whole plane z = 0 within the diameter represents the surface.
         """
         thickness = self.thickness(y)
         room = 1.0 + _ROUNDING
@@ -65,12 +65,12 @@ class Extent:
         return np.asarray(within & (room * np.hypot(x, outer - z) >= inner))
 
     def findings(self, inside: NDArray[np.bool_]) -> tuple[Finding, ...]:
-        """Return that some points lie where there is no material, if any do."""
+        """Return a finding if some points lie outside the material."""
         missing = inside.size - int(np.count_nonzero(inside))
         if not missing:
             return ()
         where = "in its bore or beyond its surface" if self.round else "below its thickness"
-        words = f"At {{missing}} of {{points}} points body {{body}} has no material, {where}: NaN is given there."
+        words = f"{{missing}} of {{points}} points lie outside the material of body {{body}}, {where}: they are NaN."
         return (finding("outside-the-body", words, missing=missing, points=inside.size, body=self.name),)
 
     def refuse(self, y: float, z: float) -> None:

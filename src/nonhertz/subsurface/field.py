@@ -1,4 +1,4 @@
-"""The stress at points below a contact: a read-only value with the derived quantities engineers use."""
+"""The stress at points below a contact: a read-only value with derived quantities."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ class Field(HasFindings, ReadOnly):
     stress : ndarray, shape (..., 6)
         sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy [MPa]; compressive stress is negative.
     displacement : ndarray, shape (..., 3), or None
-        u_x, u_y, u_z [mm], u_z into the body. u_z is measured against the same reference as the approach: the point at
-        the body's depth under the same y, or one far away.
+        u_x, u_y, u_z [mm], u_z into the body. u_z has the same reference as the approach: the point at the body's depth
+        under the same y, or one far away.
     findings : tuple of Finding
-        What the numbers leave out; empty if nothing.
+        Effects that the numbers leave out; empty if none.
 
     Notes
     -----
-    Where the body has no material, in a bore, below its thickness or beyond its diameter, all of it is NaN.
+    Values are NaN where the body has no material: in a bore, below its thickness or beyond its diameter.
 
-    Axes are those of the contact, z pointing into the body: for body b as for body a, which makes both fields each
-    other's mirror image.
+    Axes are those of the contact, with z pointing into the body for both bodies, so that their fields are mirror images
+    of each other.
     """
 
     body: BodyName

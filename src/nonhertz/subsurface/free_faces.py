@@ -1,9 +1,9 @@
-"""What a free side face adds to the field of a pressure and its images, below one solution.
+"""Correction for a free side face to the field of a pressure and its images, below one solution.
 
-Images of full weight free a side face of shear and double its normal stress. What takes that away
+Images of full weight free a side face of shear and double its normal stress. The correction that removes it
 (`nonhertz.bodies.quarter_space_field`) is summed over wave numbers k across the contact, once for each face, into a
-table of splines over x, the distance from the edge and the direction there, which costs each point next to nothing. All
-of the load counts, however far from the face: its normal stress falls only as the inverse of the distance.
+table of splines over x, the distance from the edge and the direction there, which is cheap to evaluate at each point.
+The whole load is included, however far from the face: its normal stress falls only with the inverse of the distance.
 """
 
 from __future__ import annotations
@@ -32,33 +32,33 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-# Six stresses and three displacements: which are odd in x under a load that is even, and which are odd in y.
+# Six stresses and three displacements: which are odd in x under an even load, and which are odd in y.
 _ODD = np.array([False, False, False, False, True, True, True, False, False])
 _ALONG = np.array([False, False, False, True, False, True, False, True, False])
 _STRESSES = 6
 
 # Wave numbers over the inverse of the half-width: the largest, and the longest panel; and Gauss's nodes on each panel.
 _LARGEST, _STEP, _NODES = 30.0, 2.5, 6
-# Further across, in half-widths, cos(k x) turns too often for these nodes: the field is smoothed over a part of x.
+# Further across, in half-widths, cos(k x) oscillates too fast for these nodes: the field is smoothed over a part of x.
 _FROM, _SMOOTHED = 1.2, 0.15
 _CLOSEST, _RADIAL = 0.05, 0.25  # distance from the edge, in half-widths, and steps of its logarithm
 _ACROSS, _ACROSS_STEP = 0.8, 0.1  # x is 0.8 half-widths times sinh of these steps
 _ANGLES = np.linspace(0.0, 0.5 * np.pi, 9)
-# Images of what a face adds, on either side, times the length over the half-width; and the most of them.
+# Images of a face's correction on either side, times the length over the half-width; and their largest number.
 _SEEN, _MOST_IMAGES = 20.0, 8
-_BEYOND = 2.0  # how far the table reaches, over the distance of the load's far end
+_BEYOND = 2.0  # reach of the table over the distance of the load's far end
 
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """A pressure that is constant along y between edges, by its cosine and sine transforms across.
+    """Cosine and sine transforms across of a pressure that is constant along y between edges.
 
     Attributes
     ----------
     edges : ndarray, shape (n,)
-        Where the pressure changes [mm].
+        Positions where the pressure changes [mm].
     even, odd : ndarray, shape (wave numbers, n)
-        The transform [N/mm] before each edge less that behind it; ``odd`` is None for a symmetric pressure.
+        The transform [N/mm] before each edge minus that behind it; ``odd`` is None for a symmetric pressure.
     """
 
     edges: Array
@@ -80,7 +80,7 @@ class Between:
     terms : ndarray, shape (terms, 3)
         Rows (sign, offset, weight) of the load itself and its images, all of weight 1.
     afar : tuple of float, or None
-        Where line loads begin that stand for all images further away [mm], low and high, and how large they are [N/mm].
+        Positions where line loads begin that represent all further images [mm], low and high, and their size [N/mm].
     """
 
     terms: Array
@@ -89,7 +89,7 @@ class Between:
     def projected(
         self, field: QuarterSpaceField, k: Array, edges: Array, steps: Array, place: float, side: float
     ) -> Array:
-        """Return the coefficients of a face without the other one: of a half of all that is on either side of it."""
+        """Return the coefficients of a face without the other: for half of the load on either side of it."""
         halves: dict[tuple[float, float], float] = {}
         for sign, offset, _ in self.terms.tolist():
             turned, start = -side * sign, side * (place - offset)
@@ -109,14 +109,14 @@ class Between:
 
 @dataclass(eq=False)
 class _Part:
-    """What a face adds to the even or the odd part of a load.
+    """Correction for a face, for the even or the odd part of a load.
 
     Attributes
     ----------
     is_odd : bool
-        Which part.
-    alone, both : ndarray, shape (wave numbers, rank)
-        Coefficients of the field of this face, and with another one, see `QuarterSpaceField`.
+        Whether it is the odd part.
+        alone, both : ndarray, shape (wave numbers, rank)
+        Coefficients of the field of this face alone, and together with another face; see `QuarterSpaceField`.
     """
 
     is_odd: bool
@@ -125,7 +125,7 @@ class _Part:
 
     @property
     def turned(self) -> NDArray[np.bool_]:
-        """Which components change their sign with x."""
+        """Mask of the components that change sign with x."""
         return ~_ODD if self.is_odd else _ODD
 
 
@@ -139,11 +139,11 @@ class _Waves:
 
     @classmethod
     def of(cls, poisson: float, half_width: float, farthest: float) -> _Waves:
-        """Return those that a contact of this half-width needs."""
+        """Return the wave numbers needed for a contact of this half-width."""
         return cls(quarter_space_field(poisson), *_wave_numbers(half_width, farthest))
 
     def alone(self, load: Spectrum, place: float, side: float) -> tuple[_Part, ...]:
-        """Return what a face adds to each part of a load."""
+        """Return the correction for a face for each part of a load."""
         distance, parts = side * (place - load.edges), []
         for odd, steps in enumerate(load.steps):
             coefficients = self.field.projected(self.k, distance, -side * steps)
@@ -153,22 +153,22 @@ class _Waves:
 
 @dataclass(frozen=True, eq=False)
 class FreeFaceField:
-    """What one free side face adds.
+    """Correction for one free side face.
 
     Attributes
     ----------
     place, side : float
-        Where the face is [mm]; -1 at the low, 1 at the high end of the body.
+        Position of the face [mm]; -1 at the low, 1 at the high end of the body.
     half_width, farthest : float
-        The half-width of the contact near the face, and how far the table reaches [mm].
+        Half-width of the contact near the face, and reach of the table [mm].
     length : float
         The distance of another free face [mm], 0 if there is none.
     images : int
-        How often what it adds is seen in mirror images on either side, if there is another free face.
+        Number of mirror images of the correction on either side, if there is another free face.
     waves : _Waves
-        The wave numbers of which it is made up.
+        The wave numbers of the sum.
     parts : tuple of _Part
-        Of the even part of the pressure, and of the odd one if there is one.
+        Corrections for the even part of the pressure, and for the odd part if there is one.
     """
 
     place: float
@@ -190,7 +190,7 @@ class FreeFaceField:
         reach: float,
         poisson: float,
     ) -> FreeFaceField:
-        """Return what a face adds to a load that has a spectrum, and its far end at the distance ``reach`` [mm]."""
+        """Return the correction for a face under a load with a spectrum and its far end at ``reach`` [mm]."""
         farthest = _BEYOND * reach
         waves = _Waves.of(poisson, half_width, farthest)
         parts = waves.alone(spectrum(waves.k, place), place, side)
@@ -206,9 +206,10 @@ class FreeFaceField:
         poisson: float,
         between: Between,
     ) -> tuple[FreeFaceField, FreeFaceField]:
-        """Return what both faces of a body add, low and high.
+        """Return the corrections for both faces of a body, low and high.
 
-        Stress takes away what each leaves on the other. Displacement does not: it is that of the solver.
+        For stress, each face also removes the stress that the other leaves on it. Displacement omits this, as the
+        solver does.
         """
         farthest_load = max(reaches)
         low, high = cls._alike(spectrum, places, half_widths[0], farthest_load, poisson, between)
@@ -226,7 +227,7 @@ class FreeFaceField:
         poisson: float,
         between: Between,
     ) -> tuple[FreeFaceField, FreeFaceField]:
-        """Return what both faces add, seen on the scale of one half-width: much of the work is the same for both."""
+        """Return the corrections for both faces on the scale of one half-width: much of the work is common to both."""
         length, sides = places[1] - places[0], (-1.0, 1.0)
         images = min(math.ceil(_SEEN * half_width / length), _MOST_IMAGES)
         farthest = max(_BEYOND * reach, (2.0 * images + 1.0) * length)
@@ -261,7 +262,7 @@ class FreeFaceField:
 
     @cached_property
     def _grids(self) -> tuple[tuple[Array, Array, Array], Array, Array, Array]:
-        """Knots of the table, logarithms of radii, and the ways to coefficients from waves and from values at radii."""
+        """Knots of the table, logarithms of radii, and the matrices to coefficients from waves and values at radii."""
         across = _grid(0.0, np.arcsinh(self.farthest / (_ACROSS * self.half_width)), _ACROSS_STEP)
         radial = _grid(np.log(_CLOSEST * self.half_width), np.log(self.farthest), _RADIAL)
         (t_x, to_x), (t_r, to_r), (t_a, _) = _spline(across), _spline(radial), _of_angles()
@@ -308,7 +309,7 @@ class FreeFaceField:
         return np.asarray(nearer * total)
 
     def _seen(self, points: Array) -> tuple[Array, Array]:
-        """Return where points are in the table, and by how much nearer than they are: beyond it a load is a point."""
+        """Return points moved into the table, and the ratio of distances: beyond the table the load acts as a point."""
         x, along, z = np.abs(points[:, 0]), np.maximum(self.side * (self.place - points[:, 1]), 0.0), points[:, 2]
         distance = np.hypot(along, z)
         nearer = self.farthest / np.maximum(np.hypot(x, distance), self.farthest)
@@ -317,7 +318,7 @@ class FreeFaceField:
         return np.column_stack([across, radial, np.arctan2(z, along)]), nearer[:, None]
 
     def _signs(self, points: Array, turned: NDArray[np.bool_]) -> Array:
-        """Return the signs that components have on this side of x = 0, seen from this face."""
+        """Return the signs of components on this side of x = 0, seen from this face."""
         mirrored = np.where(_ALONG, -self.side, 1.0)
         return mirrored * np.where(turned & (points[:, :1] < 0.0), -1.0, 1.0)
 
@@ -337,7 +338,7 @@ def _wave_numbers(half_width: float, reach: float) -> tuple[Array, Array]:
 
 
 def _grid(low: float, high: float, step: float) -> Array:
-    """Return equal steps that are no longer than the given one."""
+    """Return equal steps no longer than a given one."""
     return np.linspace(low, high, max(int(np.ceil((high - low) / step)), 3) + 1)
 
 
@@ -351,6 +352,6 @@ def _spline(grid: Array) -> tuple[Array, Array]:
 
 @cache
 def _of_angles() -> tuple[Array, Array]:
-    """Return the knots of splines over directions, and the matrix from values at the field's own to coefficients."""
+    """Return the knots of splines over directions, and the matrix from the field's values to coefficients."""
     knots, to = _spline(_ANGLES)
     return knots, to @ between_angles(_ANGLES)

@@ -1,6 +1,6 @@
 """One body below the pressure of a solution: the load, its mirror images, and the reference of displacement.
 
-Strips and rectangles each know the field of their own pressure in a half-space. The field at y of an image, the
+Strips and rectangles each provide the field of their own pressure in a half-space. The field at y of an image, the
 pressure mapped to ``sign * y + offset``, is that of the pressure itself at ``sign * (y - offset)``, with the signs of
 tau_yz, tau_xy and u_y reversed if the image is mirrored. In a complete series, images too far away to matter
 individually are lumped into line loads that begin beyond the last separate image and extend to infinity.
@@ -35,7 +35,7 @@ from nonhertz.subsurface.wall import Wall
 
 Array = NDArray[np.float64]
 U_Z = 2
-# How fast a strip's half-width counts less with the distance along y, and the least that counts, of the largest.
+# Decay of a strip's half-width with the distance along y, and the smallest that counts, relative to the largest.
 NARROWING, LEAST = 0.5, 0.05
 
 _BODY_REMEDY = "write 'a' or 'b'"
@@ -54,21 +54,21 @@ class Inside:
     load : Load
         The pressure.
     terms : ndarray, shape (terms, 3)
-        Rows (sign, offset, weight) of the pressure itself and its images in this body, for stress: all weigh 1, since
-        no other weight frees a face of shear.
+        Rows (sign, offset, weight) of the pressure itself and its images in this body, for stress: all have weight 1,
+        since no other weight frees a face of shear.
     faces : tuple of FreeFaceField
-        What its free side faces add.
+        Corrections for its free side faces.
     wall : Wall or None
-        The rest of a hollow roller; None of other bodies.
+        The additional stress of a hollow roller; None for other bodies.
     influence : Influence
-        How the solution's strips displace its surface, per unit of the compliance of the contact: images and free side
-        faces with their weights, and the reference.
+        Displacement of its surface by the solution's strips, per unit of the compliance of the contact: images and free
+        side faces with their weights, and the reference.
     edges, pressed, widened : ndarray, shape (stations + 1,) and (stations,)
-        Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth; and how much
-        more their own width displaces them [mm].
+        Edges along y [mm] and compliance times line load [mm] between them, for displacement at depth; and the
+        additional displacement due to their own width [mm].
     afar : tuple of float, or None
-        Where line loads begin on either side, beyond the last separate image [mm], and how large they are [N/mm]; None
-        without further images.
+        Positions where line loads begin on either side, beyond the last separate image [mm], and their size [N/mm];
+        None without further images.
     """
 
     name: BodyName
@@ -109,7 +109,7 @@ class Inside:
         terms = rows({DIRECT: 1.0, **chains(body, (low, high), 1.0)})
         freed = [weight > 0.0 and side.of_body for side, weight in zip(body.sides, body.face_weights, strict=True)]
         afar = None
-        # The bending of a hollow roller is counted relative to these images alone.
+        # The bending of a hollow roller is defined relative to these images only.
         if (all(freed) and body.bore is None) or (body.images == SERIES and terms.shape[0] > SEPARATE_LINKS):
             apart = terms.shape[0] // 2 * (body.length or 0.0)
             mean = solution.load / (body.faces[1] - body.faces[0])
@@ -118,7 +118,7 @@ class Inside:
         faces = _faces(solution, body, load, freed, Between(terms, afar) if all(freed) else None)
         influence = influence_within(solution.contact, solution.shape, which)
         widened = np.zeros(pressed.size)
-        if isinstance(solution, Solution):  # a plane grid takes any contact for one of usual width
+        if isinstance(solution, Solution):  # a plane grid treats every contact as one of usual width
             by_width = influence.by_width(solution.y, 1.0)
             for strip in np.flatnonzero(pressed).tolist():
                 own, _ = core.by_own_width(by_width, strip, float(solution.half_width[strip]))
@@ -129,7 +129,7 @@ class Inside:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What its stress leaves out."""
+        """Effects that its stress leaves out."""
         if self.body.bore is None or self.wall is not None:
             return ()
         solid = "stress below its surface is that of a solid body, without the bending of its wall"
@@ -137,7 +137,7 @@ class Inside:
 
     @property
     def extent(self) -> Extent:
-        """Where the body has material."""
+        """The material of the body."""
         return Extent(self.name, self.body)
 
     def refuse_outside(self, x: Array, y: Array, z: Array) -> None:
@@ -164,7 +164,7 @@ class Inside:
         return self._near(points) if self.wall is None else self.wall.stress(points, self._near)
 
     def _near(self, points: Array) -> Array:
-        """Return the stress that pressure and images have in a half-space, with what free side faces add."""
+        """Return the stress of pressure and images in a half-space, with the corrections for free side faces."""
         total = self.load.six(points, self.body.material.poisson, False, self.terms)
         for face in self.faces:
             total += face.stress(points)
@@ -218,7 +218,7 @@ _KEPT: WeakKeyDictionary[Solved, dict[BodyName, Inside]] = WeakKeyDictionary()
 def _faces(
     solution: Solved, body: Body, load: Load, freed: list[bool], between: Between | None
 ) -> tuple[FreeFaceField, ...]:
-    """Return what those side faces of a body add that are freed."""
+    """Return the corrections for the free side faces of a body."""
     loaded = solution.line_load > 0.0
     y, half_width = solution.y[loaded], solution.extent_across[1][loaded]
     low, high = solution.edges[:-1][loaded][0], solution.edges[1:][loaded][-1]

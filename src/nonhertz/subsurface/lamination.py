@@ -5,7 +5,7 @@ affects approach or load, but does affect a point closer to the surface than a s
 solver, m = b^2 and r = q / b^2, are smooth even where a contact runs out: there m falls linearly to zero. So monotone
 cubics (PCHIP) through the centres give both at the edges between strips. At either end of a contact they are
 extrapolated linearly from the last two centres to the edge of the last strip, m limited to between zero and twice, r to
-between half and twice the last value: near zero at a run-out, but not at a side face or at a corner of the profile.
+between half and twice the last value: m is near zero at a run-out, but not at a side face or a corner of the profile.
 Within a strip, t from -1 to 1, load and m follow
 
     q(t) / q = 1 + alpha t + epsilon t^2 (5 t^2 - 3) / 2
@@ -18,9 +18,8 @@ the last centre to zero there. Such a line carries a different load from the str
 touches over its whole length or not at all. The line is followed only as far as all ends together add no more than
 LOAD_SHARE of the load and MOMENT_SHARE of the moment; all loads are then scaled to the sum over the strips.
 
-The moment that alpha adds about the centre of a strip is one that finer strips would have, too. Where strips are so
-coarse that it exceeds MOMENT_SHARE, all alphas are reduced. And no piece is under more pressure than the centre or the
-edges of its strip.
+Finer strips would also have the moment that alpha adds about the centre of a strip. Where strips are so coarse that it
+exceeds MOMENT_SHARE, all alphas are reduced. No piece has a higher pressure than the centre or the edges of its strip.
 """
 
 from __future__ import annotations
@@ -38,8 +37,8 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Columns = tuple[Array, Array, Array, Array]  # low, high, line load, half-width
 
-# Pieces are divided until they differ by no more than CHANGE, or are no longer than NARROW half-widths, so that their
-# steps are smoothed out with depth; at most MOST per strip. Odd, so that the centre of a strip is that of a piece.
+# Pieces are divided until they differ by at most CHANGE, or are at most NARROW half-widths long, so that their steps
+# are smoothed out with depth; at most MOST per strip. Odd numbers, so that a piece is centred on the strip.
 CHANGE, NARROW, MOST = 0.003, 0.06, 129
 STEEPER = 3.0  # weight of the curved part, which is steeper at the edge than its change from the centre suggests
 SAMPLES = 53  # along a strip, to check where its load would be negative
@@ -53,16 +52,16 @@ ROUNDING = 1e-9
 
 
 class Lamination(NamedTuple):
-    """The strips in contact, and after them all their pieces.
+    """The strips in contact, followed by all their pieces.
 
     Attributes
     ----------
     low, high : ndarray, shape (strips + pieces,)
-        Their ends [mm]. Where a contact runs out beyond its last strip, the strip extends to the run-out.
+        Ends of strips and pieces [mm]. A strip beyond whose end the contact runs out extends to the run-out.
     line_load, half_width : ndarray, shape (strips + pieces,)
         q [N/mm], and the half-width b [mm] of the semi-ellipse of that load.
     first : ndarray of int, shape (strips + 1,)
-        Where the pieces of each strip begin.
+        Index of the first piece of each strip.
     """
 
     low: Array
@@ -81,9 +80,9 @@ class LoadedStrips:
     low, high, line_load, half_width : ndarray, shape (strips,)
         As in `Lamination`.
     load_edges, square_edges : ndarray, shape (2, strips)
-        Load and m at the low and at the high edge, over those at the centre.
+        Load and m at the low and at the high edge, over the values at the centre.
     run_out : ndarray, shape (strips,)
-        Where the contact runs out, as t; infinite where it does not.
+        Position t where the contact runs out; infinite where it does not.
     """
 
     low: Array
@@ -204,7 +203,7 @@ def _at_edges(solution: Solution, run: Integers, values: Array, least: float) ->
 
 
 def _run_outs(solution: Solution, run: Integers, ends: tuple[float, float]) -> Array:
-    """Return where, as t, a run of strips in contact runs out; infinite for the strips in the middle.
+    """Return the t at which a run of strips in contact runs out; infinite for the strips in the middle.
 
     An end at the edge of a strip is not a run-out, nor is one at the centre of the next: there the surfaces separate
     without m having vanished.
@@ -223,7 +222,7 @@ def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     """Return the strips and their pieces."""
     strip, begin, end = _divide(strips)
     load, square = _means(strips, strip, begin, end)
-    # How far lines to run-outs are followed: all of them, or less if they add too much load or moment.
+    # Fraction to which lines to run-outs are followed: fully, or less if they add too much load or moment.
     added = float(strips.added.sum()) / (LOAD_SHARE * float(strips.load.sum()))
     turned = float(strips.turned.sum()) / (MOMENT_SHARE * strips.unit_of_moment)
     line, followed = _fall_to_edge(strips.run_out[strip], begin, end), 1.0 / max(1.0, added, turned)
@@ -235,7 +234,7 @@ def cut_into_pieces(strips: LoadedStrips) -> Lamination:
     first = np.append(np.flatnonzero(np.diff(strip, prepend=-1)), strip.size)
     total = float(strips.load.sum())
     borne = strips.line_load[strip] * load * (total / (total + followed * float(strips.added.sum())))
-    # Seen from afar a strip carries what its pieces carry seen from nearby.
+    # A strip in the far field carries the same load as its pieces in the near field.
     ends = low[first[:-1]], high[first[1:] - 1]
     whole = np.add.reduceat(borne * (high - low), first[:-1]) / (ends[1] - ends[0])
     of_strips, of_pieces = (
@@ -269,16 +268,16 @@ def _divide(strips: LoadedStrips) -> tuple[Integers, Array, Array]:
 
 
 def _places(strips: LoadedStrips, strip: Integers, t: Array) -> Array:
-    """Return where pieces begin or end [mm].
+    """Return the positions [mm] where pieces begin or end.
 
-    Neighbours share their edges to the last digit: a point must not fall between them.
+    Neighbours share their edges to the last digit, so that no point falls between them.
     """
     low, high = strips.low[strip], strips.high[strip]
     return np.where(t == -1.0, low, np.where(t == 1.0, high, 0.5 * (low + high) + t * (0.5 * (high - low))))
 
 
 def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> tuple[Array, Array]:
-    """Return the means over pieces of load and m, over those of their strips, interpolated from the edges."""
+    """Return the means of load and m over pieces, relative to their strips, interpolated from the edges."""
     (slope, bend), (square_slope, square_bend) = (
         (0.5 * (high - low), 0.5 * (high + low) - 1.0) for low, high in (strips.load_edges, strips.square_edges)
     )
@@ -300,10 +299,10 @@ def _means(strips: LoadedStrips, strip: Integers, begin: Array, end: Array) -> t
 
 
 def _curve_loads(begin: Array, end: Array) -> Array:
-    """Return the means over pieces of t^2 (5 t^2 - 3) / 2, but zero for the middle piece.
+    """Return the means of t^2 (5 t^2 - 3) / 2 over pieces, but zero for the middle piece.
 
-    The mean of the middle piece is spread over the others: the sum is still zero, and the pressure at the centre is
-    that of the solution.
+    The mean of the middle piece is distributed over the others: the sum remains zero, and the pressure at the centre
+    equals that of the solution.
     """
     count = np.maximum(np.round(2.0 / (end - begin)), 1.0)
     middle = np.abs(begin + end) < ROUNDING
@@ -313,7 +312,7 @@ def _curve_loads(begin: Array, end: Array) -> Array:
 
 
 def _fall_to_edge(run_out: Array, begin: Array, end: Array) -> Array:
-    """Return the means over pieces of lines from 1 at the centre to 0 at the run-out."""
+    """Return the means over pieces of a line from 1 at the centre to 0 at the run-out."""
     first = np.where(run_out < 0.0, np.maximum(begin, run_out), begin)
     last = np.where(run_out > 0.0, np.minimum(end, run_out), end)
     return np.asarray(np.maximum(last - first, 0.0) * (1.0 - 0.5 * (first + last) / run_out) / (end - begin))

@@ -1,7 +1,7 @@
 """The field below a plane grid of cells, each under a uniform pressure.
 
-Love's closed form of one cell costs a logarithm and two arctangents per corner, too much for all cells of a grid
-at thousands of points; it is kept for the few cells around the point. From further away only the moments of the load
+Love's closed form for one cell takes a logarithm and two arctangents per corner, too much for all cells of a grid
+at thousands of points; it is used for the few cells around the point. Further away only the moments of the load
 across a row of cells matter. The columns are repeatedly halved into panels, and the load of a row on a panel is
 replaced by loads at the n Chebyshev nodes of the panel: the weight of each node is the integral of the pressure times
 its Lagrange polynomial, so that all polynomials below degree n are integrated exactly. The field of a load at xi is
@@ -16,7 +16,7 @@ References
 ----------
 A. E. H. Love, The stress produced in a semi-infinite solid by pressure on part of the boundary, Philosophical
 Transactions of the Royal Society A 228 (1929) 377-420, doi:10.1098/rsta.1929.0009. His corner functions are written
-here so that they hold on the surface too; they and the rest are derived here and tested against quadrature.
+here in a form that also holds on the surface; they and the rest are derived here and tested against quadrature.
 """
 
 from __future__ import annotations
@@ -41,15 +41,15 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LADDER = (3, 4, 5, 6, 8, 10, 12, 16)
-# Of the largest pressure, see `rule_ellipses`. Summed cell by cell, the worst distribution of the pressure gives an
-# error in stress five times as large.
+# Error over the largest pressure, see `rule_ellipses`. For the worst distribution of pressure, the error of the stress
+# summed cell by cell is five times as large.
 ERROR = 1e-7
 # A panel of fewer columns is no cheaper than Love's corners.
 SMALLEST_PANEL = 6
 
 
 class Panels(NamedTuple):
-    """The pressure in the form that the core uses.
+    """The pressure in the form used by the core.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Panels(NamedTuple):
     pressure : ndarray, shape (nx, ny)
         Pressure in that block [MPa].
     columns, rows : ndarray of int, shape (panels, 2)
-        First column, or loaded row, of a panel, and the one after its last. The halves of panel k are 2 k + 1 and
+        First column, or loaded row, of a panel, and the index after its last. The halves of panel k are 2 k + 1 and
         2 k + 2.
     middle, half : ndarray, shape (panels,)
         Middle and half-length of the panels [mm].
@@ -89,7 +89,7 @@ class Panels(NamedTuple):
 class Rectangles(Load):
     """The pressure of a plane grid, for the field below it.
 
-    Accurate to 1e-6 of the largest pressure. On the edges of cells on the surface, where stresses jump, rounding
+    The error is below 1e-6 of the largest pressure. At the edges of cells on the surface, where stresses jump, rounding
     decides between either side and their mean; at the corners, where a shear stress is unbounded, the result is a large
     number.
 
@@ -132,17 +132,17 @@ class Rectangles(Load):
 
     @cached_property
     def in_core(self) -> core.SurfaceLoad:
-        """The same pressure as the core has it."""
+        """The same pressure in the core."""
         assert self.panels is not None
         of = self.panels
         return core.rectangles(*of._replace(weights=of.weights.reshape(-1, of.nodes.shape[1])))
 
     def six(self, points: Array, poisson: float, displaced: bool, terms: Array = ALONE) -> Array:
-        """Return six components of its stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
+        """Return six components of the stress [MPa], or of the displacement, at ``points`` (n, 3), shape (n, 6)."""
         return np.zeros((len(points), 6)) if self.panels is None else super().six(points, poisson, displaced, terms)
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
-        """Return the transforms of all rows at wave numbers ``k`` [1/mm], wherever ``y`` is."""
+        """Return the transforms of all rows at wave numbers ``k`` [1/mm], for any ``y``."""
         if self.panels is None:
             nothing = np.zeros((k.size, 0))
             return Spectrum(np.zeros(0), nothing, nothing)

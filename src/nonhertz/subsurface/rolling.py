@@ -1,12 +1,12 @@
-"""What a point below the surface goes through while the load rolls over it, in the direction of x.
+"""Stress history of a point below the surface while the load rolls over it, in the direction of x.
 
 At each y and z the stress over a pass is the stress along the line in x. Its largest values are found on samples that
-are denser at the edge of the contact, where just below the surface the peak is as narrow as the depth, and that reach
-further out the deeper they lie; they are refined by the vertex of a parabola through three neighbours.
+are denser at the edge of the contact, where the peak just below the surface is as narrow as the depth, and that extend
+further with depth; they are refined by the vertex of a parabola through three neighbours.
 
-The bending of the wall of a hollow roller reaches all around it, and its points turn with it on circles. Both halves
-are loaded alike, so that a quarter of a turn is enough, or half of one where the pressure is not symmetric. Where the
-bodies touch the surface is flat, and so are the paths just below; further away they approach the circles.
+The bending of the wall of a hollow roller extends all around it, and its points move on circles. Both halves have the
+same load, so a quarter of a turn is enough, or half a turn where the pressure is not symmetric. Where the bodies touch
+the surface is flat, and so are the paths just below; further away they approach the circles.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Array = NDArray[np.float64]
 
 StressMeasure = Callable[[Array], Array]
 
-#: The quantities whose largest value over a pass is found, and how each follows from the stress.
+#: The quantities whose largest value over a pass is found, with the functions that give them from the stress.
 QUANTITIES: dict[str, StressMeasure] = {
     "von_mises": von_mises_of,
     "shear": max_shear_of,
@@ -48,12 +48,12 @@ QUANTITIES: dict[str, StressMeasure] = {
 }
 
 WITHIN, OUTSIDE = 12, 6  # samples from the middle to the edge, and beyond
-# How far the samples reach, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
+# Reach of the samples, in half-widths and in depths: far below, |tau_xz| is largest at x = z / sqrt(3).
 WIDER, DEEPER = 1.15, 0.8
-FLAT = 3.0  # half-widths deep: there points next to the contact turn half with the body
-AROUND = 12  # samples beyond these in a quarter of a turn
+FLAT = 3.0  # half-widths deep: halfway between a straight path and a circle next to the contact
+AROUND = 12  # further samples in a quarter of a turn
 REFINEMENTS = 3
-DEEP = 0.15  # half-widths: from there on every other sample shows which passes matter
+DEEP = 0.15  # half-widths: below this every other sample suffices to find the passes that matter
 POINTS_AT_ONCE = 2**18
 
 
@@ -70,7 +70,7 @@ class Passage(ReadOnly):
     von_mises, shear, orthogonal_shear : ndarray, shape (...)
         Largest von Mises stress, maximum shear stress and |tau_xz| [MPa] over all x.
     von_mises_x, shear_x, orthogonal_shear_x : ndarray, shape (...)
-        Their x [mm], x >= 0 where the field is symmetric.
+        Positions x of these values [mm], x >= 0 where the field is symmetric.
     orthogonal_shear_range : ndarray, shape (...)
         Range of tau_xz over the pass, largest minus smallest [MPa]: twice the largest where the field is symmetric.
     """
@@ -88,7 +88,7 @@ class Passage(ReadOnly):
 
 
 def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
-    """Return the largest stresses that points below a contact undergo while the load rolls over them.
+    """Return the largest stresses at points below a contact while the load rolls over them.
 
     Parameters
     ----------
@@ -106,11 +106,11 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
     Raises
     ------
     InputError
-        As `stress` does.
+        As for `stress`.
 
     Notes
     -----
-    In a smooth field the values are within 1e-5 of the largest at depths of 0.01 half-widths or more. Steps of the
+    In a smooth field the error is below 1e-5 of the largest value at depths of 0.01 half-widths or more. Steps of the
     pressure on the surface may hide narrower peaks at depths below 0.05 half-widths.
     """
     refuse_options("passage", options, Within)
@@ -118,15 +118,15 @@ def passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[With
 
 
 def sampled_passage(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
-    """Return the same from samples alone, within some per cent: enough to see where the largest of all are."""
+    """Return the same from samples alone, within a few per cent: enough to locate the largest values."""
     return _passage(solution, y, z, options, turning=False, sampled=True)
 
 
 def revolution(solution: Solved, y: ArrayLike, z: ArrayLike, **options: Unpack[Within]) -> Passage:
-    """Return the largest stresses that points in a round body undergo in a revolution.
+    """Return the largest stresses at points in a round body over a revolution.
 
-    As `passage`, but the points turn with the body: in place of x there are lengths of arc, and in place of tau_xz the
-    shear stress between the directions of the arc and of the depth.
+    As `passage`, but the points turn with the body: x is replaced by the arc length, and tau_xz by the shear stress
+    between the directions of the arc and of the depth.
     """
     return _passage(solution, y, z, options, turning=True)
 
@@ -207,7 +207,7 @@ def _largest_over_pass(
 
 
 def _turn_stresses(stresses: Array, angle: Array) -> Array:
-    """Return stresses in the directions of the arc, of y and of the depth, at an angle from the line of contact."""
+    """Return stresses in the directions of arc, y and depth, at an angle from the line of contact."""
     cosine, sine = np.cos(angle), np.sin(angle)
     x, z, yz, xz, xy = (stresses[..., component] for component in (SIGMA_X, SIGMA_Z, TAU_YZ, TAU_XZ, TAU_XY))
     turned = stresses.copy()
@@ -242,7 +242,7 @@ def _largest(
 ) -> tuple[Array, Array]:
     """Return the largest value along each row of samples, and its x, refined between the samples.
 
-    Samples without material count nothing; the value of a row of these is NaN.
+    Samples without material are ignored; a row without any material gives NaN.
     """
 
     def quantity(stress: Array) -> Array:
@@ -267,7 +267,7 @@ def _largest(
 
 
 def _vertex(x: Array, values: Array) -> Array:
-    """Return where the parabola through three points of each row is largest, within them."""
+    """Return the position of the maximum of the parabola through three points of each row, within these points."""
     (before, middle, after), (low, top, high) = x.T, values.T
     to_left, to_right = (top - low) * (after - middle), (top - high) * (middle - before)
     bend = to_left + to_right

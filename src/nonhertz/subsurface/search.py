@@ -1,7 +1,7 @@
 """The largest stresses below a contact and their positions: in the whole body, and in one cross-section.
 
-Both searches start with samples of passes on a grid of points, as deep and as fine as the half-width requires, look
-closer at the passes that stand out, and end with nets that shrink around the best point of each.
+Both searches start with samples of passes on a grid of points, as deep and as fine as the half-width requires, refine
+the passes with the highest values, and end with nets that shrink around the best point of each.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ Array = NDArray[np.float64]
 # Depths over the half-width at which the search starts.
 DEPTHS = np.array([0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.15, 1.4])
 MOST_STATIONS, MOST_ROWS = 401, 65  # for strips, and for a plane grid, which takes longer
-FEW = 60  # strips: with fewer, their edges are searched too
+FEW = 60  # strips: with fewer, their edges are searched as well
 CRESTS, WORTH = 3, 0.7  # local maxima to refine, and their least height over the highest
 EQUAL, ROUNDING = 1e-6, 1e-9
-ALONG_BORE = 33  # places along and around the bore at which the search there starts
+ALONG_BORE = 33  # points along and around the bore at which its search starts
 MESHES, ROUNDS, SHRINKING = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]), 12, 0.5
-# After a first such net, nets of three places along each axis; all together still reach as far as the first is wide.
+# After a first such net, nets of three points along each axis; together they still cover the width of the first.
 NARROW, NARROW_ROUNDS, NARROW_SPAN, NARROWING = np.array([-1.0, 0.0, 1.0]), 14, 0.3, 0.6
 
 
@@ -48,16 +48,16 @@ Span = tuple[float, float]
 
 @dataclass(frozen=True, repr=False)
 class Extreme(ReadOnly):
-    """A largest value and where it is.
+    """A largest value and its position.
 
     Attributes
     ----------
     max : float
         The value [MPa].
     x, y, z : float
-        Where it is [mm]. The field of strips is symmetric about x = 0, and x >= 0 is given.
+        Its position [mm]. The field of strips is symmetric about x = 0; x >= 0 is returned.
     at_bore : bool
-        Whether that is on the bore of a hollow roller.
+        Whether it is on the bore of a hollow roller.
     """
 
     max: float
@@ -68,7 +68,7 @@ class Extreme(ReadOnly):
 
     @property
     def site(self) -> str:
-        """What comes before its coordinates in a sentence."""
+        """Words that precede its coordinates in a sentence."""
         return "at the bore, " if self.at_bore else "at "
 
 
@@ -83,7 +83,7 @@ class Extremes(HasFindings, ReadOnly, HasHtml):
     von_mises, shear, orthogonal_shear : Extreme
         Largest von Mises stress, maximum shear stress and |tau_xz|.
     findings : tuple of Finding
-        What was left out and other limitations; empty if none.
+        Regions left out and other limitations; empty if none.
     bore : Extreme or None
         Largest von Mises stress on the bore of a hollow roller, which need not be the largest of all.
     """
@@ -124,14 +124,14 @@ def extremes(
     Raises
     ------
     InputError
-        As `stress` does, or if ``depths`` are not two that ascend.
+        As for `stress`, or if ``depths`` are not two ascending numbers.
 
     Notes
     -----
-    Over the whole body, points nearer than a half-width to a sharp end, or to a corner of the profile where the contact
-    ends, are left out, as for the largest pressure: the stress there has no limit. In a smooth field the values are
-    within 1e-5 of the largest; near the surface, steps of the pressure between strips or cells are part of the field.
-    Beyond the contact only what lies within a half-width of it up to a free side face is searched.
+    For the whole body, points within a half-width of a sharp end, or of a corner of the profile where the contact ends,
+    are left out, as for the largest pressure: the stress there is singular. In a smooth field the error is below 1e-5
+    of the largest value; near the surface, steps of the pressure between strips or cells are part of the field. Beyond
+    the contact, only a region within a half-width of it, up to a free side face, is searched.
 
     Examples
     --------
@@ -159,7 +159,7 @@ def extremes(
         stretches = _stretches(solution, _search_range(solution, inside))
         sections = _sections(solution, stretches)
     below = across_at(solution, sections)[1][:, None] * DEPTHS
-    if station is not None:  # outside the contact the stress comes from further away and peaks further down
+    if station is not None:  # outside the contact the stress comes from further away and peaks deeper
         below = np.unique(np.concatenate([below, _distances(solution, sections) * DEPTHS], axis=None))[None, :]
     coarse = sampled_passage(solution, sections[:, None], np.minimum(depths[0] + below, depths[1]), **options)
     threads, climbs = options.get("threads"), []
@@ -177,7 +177,7 @@ def extremes(
     for name in QUANTITIES:
         of_name = [climb for climb in climbs if climb.name == name]
         best = max(climb.top for climb in of_name)
-        # The first among equals.
+        # The first of equal values.
         largest[name] = next(climb.extreme(solution) for climb in of_name if climb.top >= (1.0 - EQUAL) * best)
     at_bore = {} if inside.wall is None else _at_bore(inside, station, depths)
     for name, candidate in at_bore.items():
@@ -189,7 +189,7 @@ def extremes(
 def _highest(
     at: Callable[[Array], Array], best: Array, span: Array, limits: list[Span], top: float, mesh: Array = MESHES
 ) -> tuple[float, Array]:
-    """Return the largest of values at places (n, d) on nets that shrink around the highest yet, and its place."""
+    """Return the largest of values at places (n, d) on nets that shrink around the highest so far, and its place."""
     for _ in range(ROUNDS):
         axes = [
             np.unique(np.clip(centre + reach * mesh, *ends))
@@ -205,9 +205,9 @@ def _highest(
 
 
 def _highest_of(values: Array, *, wide: bool) -> int:
-    """Return which value of a net is the largest: on a wide net the first of those that are equal to rounding.
+    """Return the index of the largest value of a net: on a wide net the first of those equal to rounding.
 
-    A wide net may hold places that mirror each other; on a narrow one they would be those around the same maximum.
+    A wide net may contain mirror images; on a narrow net equal values would lie around the same maximum.
     """
     most = values.max()
     return int(np.flatnonzero(values >= most - (ROUNDING * abs(most) if wide else 0.0))[0])
@@ -263,9 +263,9 @@ def _search_range(solution: Solved, inside: Inside) -> Span:
 
 
 def _stretches(solution: Solved, whole: Span) -> list[Span]:
-    """Return where to search: all of it except a half-width around singular ends, or the contact if nothing is left.
+    """Return the intervals to search: all except a half-width around singular ends, or the contact if nothing remains.
 
-    A corner of the profile may have contact on either side.
+    A corner of the profile may have contact on both sides.
     """
     stretches = [whole]
     for end in solution.singular_ends:
@@ -280,7 +280,7 @@ def _stretches(solution: Solved, whole: Span) -> list[Span]:
 
 
 def clear_of_ends(solution: Solved) -> bool:
-    """Return whether some of the contact lies more than a half-width from all singular ends; only that is searched."""
+    """Return whether part of the contact lies more than a half-width from all singular ends; only that is searched."""
     whole = outermost(solution)
     return not solution.singular_ends or _stretches(solution, whole) != [whole]
 
@@ -292,7 +292,7 @@ def _sections(solution: Solved, stretches: list[Span]) -> Array:
     most = MOST_ROWS if isinstance(solution, PatchSolution) else MOST_STATIONS
     if rows.size > most:
         even = rows[np.linspace(0, rows.size - 1, most).astype(int)]
-        # Narrow features such as a dent or an edge show in the pressure.
+        # Narrow features such as a dent or an edge appear in the pressure.
         pressure = solution.largest_across
         crests = rows[1:-1][(np.diff(pressure[rows])[:-1] > 0.0) & (np.diff(pressure[rows])[1:] <= 0.0)]
         highest = crests[pressure[crests].argsort()[-most // 4 :]]
@@ -333,7 +333,7 @@ def _distances(solution: Solved, station: Array) -> Array:
 
 @dataclass
 class _Climb:
-    """The way to one local maximum of a quantity.
+    """The climb to one local maximum of a quantity.
 
     Attributes
     ----------
@@ -342,7 +342,7 @@ class _Climb:
     best : ndarray, shape (3,)
         The best point so far [mm].
     span : ndarray, shape (3,)
-        How far from it the next net reaches [mm].
+        Reach of the next net from it [mm].
     limits : tuple of float
         Range of y [mm].
     half_width : float
@@ -374,7 +374,7 @@ class _Climb:
             self.top, self.best = float(values.max()), net[_highest_of(values, wide=wide)]
 
     def extreme(self, solution: Solved) -> Extreme:
-        """Return where it has led."""
+        """Return the maximum reached."""
         across = float(abs(self.best[0]) if solution.symmetric_across else self.best[0])
         across = 0.0 if abs(across) < ROUNDING * self.half_width else across
         along = 0.0 if abs(self.best[1]) < ROUNDING * self.half_width else float(self.best[1])
@@ -384,7 +384,7 @@ class _Climb:
 def _around(
     solution: Solved, coarse: Passage, place: tuple[int, int], stretches: list[Span]
 ) -> tuple[Array, Array, Span, float]:
-    """Return a point of a grid, how far from it its maximum may be, the limits of y, and the half-width there."""
+    """Return a point of a grid, the distance within which its maximum lies, the limits of y, and the half-width."""
     row, column = place
     best = np.array([0.0, coarse.y[place], coarse.z[place]])
     sections = coarse.y[:, 0]
@@ -398,7 +398,7 @@ def _around(
 
 
 def _climb(inside: Inside, climbs: list[_Climb], depths: Span, threads: int | None) -> None:
-    """Follow all climbs to their ends, in step: the stress of all their nets is asked for at once."""
+    """Follow all climbs to their ends, in step: the stress of all their nets is computed in one call."""
     for mesh in (MESHES, *[NARROW] * NARROW_ROUNDS):
         nets = [climb.net(mesh, depths) for climb in climbs]
         points = np.concatenate(nets)
@@ -410,9 +410,9 @@ def _climb(inside: Inside, climbs: list[_Climb], depths: Span, threads: int | No
 
 
 def _first_of_equals(values: Array, y: Array) -> tuple[int, int]:
-    """Return the place of the largest value; among equals the one nearest the middle, then the one of lowest y.
+    """Return the index of the largest value; of equal values the one nearest the middle, then of lowest y.
 
-    This gives all quantities of a symmetric field at the same end.
+    All quantities of a symmetric field are thus reported at the same end.
     """
     equal = np.argwhere(values >= (1.0 - EQUAL) * values.max())
     along = y[equal[:, 0], equal[:, 1]]
@@ -425,14 +425,14 @@ def _findings(solution: Solved) -> Iterator[Finding]:
     ends = solution.singular_ends
     if ends:
         searched = f"within a half-width of {'them' if len(ends) > 1 else 'it'}"
-        rest = f"all of the contact lies {searched}, and the values depend on the strips"
-        what = f"{searched} nothing was searched" if clear_of_ends(solution) else rest
+        rest = f"the whole contact lies {searched}, and the values depend on the strips"
+        what = f"the region {searched} was not searched" if clear_of_ends(solution) else rest
         yield finding(
             "stress-at-ends", f"The stress grows without limit towards {{ends}}: {what}.", ends=ends_in_words(ends)
         )
     if solution.peaks_at_corner and not any(end.kind is EdgeKind.CORNER for end in ends):
         yield finding(
             "stress-at-corner",
-            "The pressure is largest at a corner of the profile, where it has no limit: so is the stress right below, "
-            "and its largest values depend on the strips.",
+            "The pressure is largest at a corner of the profile, where it is singular, as is the stress right below: "
+            "the largest values depend on the strips.",
         )

@@ -7,8 +7,8 @@ Across, the pressure of a strip is a Gaussian sum of line loads: n nodes integra
 that is analytic up to the ellipse through the point with its foci at the strip's edges, with an error like
 exp(-2 n eta), 2 cosh(eta) the sum of the distances from both edges over the half-width. Each strip uses as many nodes
 as its distance requires, mostly two. Under the strip itself the distance would be the depth, and near the surface no
-number of nodes would suffice: there the infinite strip has a closed form in plane strain, and quadrature is left only
-with the tails that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nearby strips are divided into pieces
+number of nodes would suffice: there the infinite strip has a closed form in plane strain, and quadrature is needed only
+for the tails that begin at the strip's ends (see `nonhertz.subsurface.tails`). Nearby strips are divided into pieces
 that follow the pressure between their centres (see `nonhertz.subsurface.lamination`). With zeta = x + i z and the
 Cauchy integral H = int p(xi) / (zeta - xi), plane strain is
 
@@ -33,7 +33,7 @@ from nonhertz.subsurface.tails import Load
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-# Beyond these distances, in half-widths and in its own lengths, a strip is not divided into pieces; as in the core.
+# Beyond these distances, in half-widths and in its own length, a strip is not divided into pieces; as in the core.
 FAR, FAR_IN_LENGTHS = 16.0, 6.0
 
 
@@ -56,7 +56,7 @@ class StripLoad(Load):
 
     @cached_property
     def in_core(self) -> core.SurfaceLoad:
-        """The same pressure as the core has it."""
+        """The same pressure in the core."""
         return core.strip_load(*self.strips)
 
     def spectrum(self, k: Array, y: float) -> Spectrum:
@@ -76,7 +76,7 @@ class StripLoad(Load):
 
 
 def _counted(y: float, of: Lamination) -> Integers:
-    """Return what represents the strips: one of them itself from afar, else its pieces."""
+    """Return the indices that represent the strips: a distant strip itself, pieces of a near one."""
     strips = np.arange(of.first.size - 1)
     low, high = of.low[strips], of.high[strips]
     apart = np.maximum(low - y, y - high)

@@ -11,9 +11,9 @@ integrates to
 
 and there is no cancellation for Y >= 0, however near the line the point is, unlike in the textbook form, a segment's
 two ends in powers of X^2 + z^2. A strip beside the point is the difference between two tails. A strip over the point is
-the infinite line less a tail on either side; and the infinite line has a closed form in plane strain for the whole
-width of the strip, so that what is left to quadrature is no nearer to the point than the strip's ends. Tails behind the
-point are mirrored: tau_yz, tau_xy and u_y change sign. Displacement is kept in the places of the stresses that have its
+the infinite line minus a tail on either side; the infinite line has a closed form in plane strain for the whole width
+of the strip, so that quadrature is needed only for loads no nearer to the point than the strip's ends. Tails behind the
+point are mirrored: tau_yz, tau_xy and u_y change sign. Displacement is stored in the places of stresses of the same
 symmetry, u_x, 0, u_z, u_y, 0, 0, so that one loop adds up either. The loops are in ``src/core/subsurface``.
 
 References
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-#: Which of six components are a displacement's.
+#: Indices among the six components that hold a displacement.
 DISPLACEMENT = [0, 3, 2]
 
 
@@ -53,7 +53,7 @@ class Load(ABC):
     @cached_property
     @abstractmethod
     def in_core(self) -> core.SurfaceLoad:
-        """The same pressure as the core has it."""
+        """The same pressure in the core."""
 
     @abstractmethod
     def spectrum(self, k: Array, y: float) -> Spectrum:

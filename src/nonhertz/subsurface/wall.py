@@ -1,7 +1,7 @@
-"""The stress in a hollow roller of a solution: that of both contacts, and the bending of the wall between them.
+"""The stress in a hollow roller of a solution: stress of both contacts, and bending of the wall between them.
 
-A roller is pressed alike on the opposite side, so a point in the lower half is seen from there, and the opposite
-contact is so far away that point loads stand for its strips. See `nonhertz.bodies.wall_stress` for the bending.
+The opposite side of the roller has the same load, so a point in the lower half is evaluated from there; the other
+contact is then so far away that point loads represent its strips. See `nonhertz.bodies.wall_stress` for the bending.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from nonhertz.subsurface.free_faces import FreeFaceField
 
 Array = NDArray[np.float64]
 
-_NODES = 2  # of Gauss's rule on a strip, for the far contact
-_NODES_OF_MODES = 8  # and for its share in polynomials
+_NODES = 2  # of Gauss's rule on a strip, for the distant contact
+_NODES_OF_MODES = 8  # and for its projection on polynomials
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,12 +33,12 @@ class Wall:
     Attributes
     ----------
     extent : Extent
-        Where its material is.
+        Its material.
     in_core : core.Wall
-        Chebyshev coefficients of the polar stress of each mode [MPa]; places [mm] and forces [N] of the point loads
-        that stand for a contact seen from the opposite side.
+        Chebyshev coefficients of the polar stress of each mode [MPa]; positions [mm] and forces [N] of the point loads
+        that represent a contact seen from the opposite side.
     faces : tuple of FreeFaceField
-        What free side faces add to the field of one contact.
+        Corrections for free side faces to the field of one contact.
     """
 
     extent: Extent
@@ -49,7 +49,7 @@ class Wall:
     def of(
         cls, solution: Solved, body: Body, extent: Extent, images: Array, faces: tuple[FreeFaceField, ...]
     ) -> Wall | None:
-        """Return that of a body; None if it has no bore, or one with steps.
+        """Return the wall of a body; None if it has no bore, or one with steps.
 
         ``images`` are rows (sign, offset, weight) of the pressure and its images.
         """
@@ -97,7 +97,7 @@ def _on_strips(low: Array, high: Array, count: int) -> tuple[Array, Array]:
 
 
 def _spread(waves: Array, half_width: Array) -> Array:
-    """Return how much of each mode a semi-ellipse of a half-width [radii] has of a line load's, (waves, strips)."""
+    """Return each mode of a semi-ellipse of a half-width [radii] over that of a line load, shape (waves, strips)."""
     from scipy import special
 
     turns = np.maximum(waves[:, None] * half_width, 1e-9)

@@ -3,13 +3,13 @@
 A profile is a function of the axial coordinate y [mm], measured from the middle of its body, whose value is
 the relief [mm], positive where material is removed. Profiles are values: they add (``crown(...) +
 chamfer(...)``), shift along the axis, scale and flip, and each operation returns a new one. Besides its function a
-profile knows its *bends*, the places where slope or curvature jumps, because the strips must be refined there,
-and its *extent*, outside which there is nothing to touch. An infinite relief means the same: no body here.
+profile has *bends*, the positions where slope or curvature jumps and strips must be refined, and an *extent*,
+outside which there is no body. An infinite relief also means that there is no body.
 
 The lower-case functions are the catalogue, under the names that engineers use, each with its source. Each returns a
 `Profile`, and raises `InputError` if a value is out of range. Profiles for a design load take the same four parameters:
 load [N], length [mm], radius (combined, across the contact) [mm] and compliance (of both bodies) [1/MPa]. `with_drop`
-makes any of them from its drop at a place, as a drawing states it.
+makes any of them from its drop at a position, as drawings state it.
 """
 
 from __future__ import annotations

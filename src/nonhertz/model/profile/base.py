@@ -1,4 +1,4 @@
-"""What a profile is, and how profiles add, shift, scale and flip."""
+"""Profiles: relief along the axis, with sum, shift, scale and flip."""
 
 from __future__ import annotations
 
@@ -17,26 +17,25 @@ Array = NDArray[np.float64]
 
 
 def places(y: ArrayLike) -> Array:
-    """Return axial positions [mm] as an array, or refuse what cannot be read as such."""
+    """Return axial positions [mm] as an array; refuse anything but finite numbers."""
     return numbers("y", y, "give positions along the axis in mm")
 
 
 SAME_PLACE = 1e-9
-"""Of the length of a body: positions along the axis closer to its end than this are at the end."""
+"""Fraction of a body's length: positions closer to its end than this count as at the end."""
 
 
 def at_ends(y: ArrayLike, ends: tuple[float, float]) -> Array:
-    """Return positions along the axis [mm], those within a rounding of an end of a body at that end.
+    """Return positions along the axis [mm], those within rounding of an end of a body moved to that end.
 
-    Positions that are stated in decimals, or follow from others, are off the computed ends by rounding.
+    Positions written as decimals, or computed from others, differ from the computed ends by rounding.
 
     Parameters
     ----------
     y : array_like
         Positions [mm].
     ends : tuple of float
-        Ends of the body, or of what two bodies have in common [mm], ascending; infinite ones leave positions as they
-        are.
+        Ends of the body, or of the overlap of two bodies [mm], ascending; infinite ones leave positions unchanged.
     """
     places, (low, high) = np.asarray(y, dtype=float), ends
     room = SAME_PLACE * (high - low)
@@ -46,14 +45,14 @@ def at_ends(y: ArrayLike, ends: tuple[float, float]) -> Array:
 
 
 class Profile(ABC):
-    """Relief along the axis of a body; `nonhertz.model.profile` has the catalogue."""
+    """Relief along the axis of a body; `nonhertz.profile` has the catalogue."""
 
     # Kind and parameters in the catalogue; None if not from it. Not a field, so that equal reliefs compare equal.
     _called: tuple[str, dict[str, Any]] | None = None
-    _call = ""  # as people type it
+    _call = ""  # as a user would type it
 
     def with_entry(self, kind: str, parameters: object) -> Profile:
-        """Return this profile with the kind and parameters that describe it in a case file; None is left out."""
+        """Return this profile with the kind and parameters, if not None, that describe it in a case file."""
         named = copy.copy(self)
         described = {name: value for name, value in vars(parameters).items() if value is not None}
         object.__setattr__(named, "_called", (kind, described))
@@ -62,7 +61,7 @@ class Profile(ABC):
 
     @property
     def catalogue_entry(self) -> tuple[str, dict[str, Any]] | None:
-        """Kind and parameters of a profile of the catalogue, None of any other."""
+        """Kind and parameters of a profile of the catalogue; None for any other."""
         return self._called
 
     @abstractmethod
@@ -70,7 +69,7 @@ class Profile(ABC):
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
 
     def relief_at(self, y: Array) -> Array:
-        """Return the relief at positions that are known to be finite numbers: what the solver calls again and again."""
+        """Return the relief [mm] at positions known to be finite numbers; the solver calls this repeatedly."""
         return self.relief(y)
 
     @property
@@ -80,7 +79,7 @@ class Profile(ABC):
 
     @property
     def crests(self) -> tuple[float, ...]:
-        """Axial positions [mm] at which the relief may stand out between sampled places."""
+        """Axial positions [mm] at which the relief may have a peak between sampled positions."""
         return self.bends
 
     @property
@@ -90,7 +89,7 @@ class Profile(ABC):
 
     @property
     def joints(self) -> tuple[float, float] | None:
-        """Where the corners or chamfers begin [mm] that the profile holds at either end; None if it holds none."""
+        """Positions [mm] where corners or chamfers contained in the profile begin at either end; None without them."""
         return None
 
     def shifted(self, by: float) -> Profile:
@@ -104,7 +103,7 @@ class Profile(ABC):
         return self.moved(scale=float(by))
 
     def flipped(self) -> Profile:
-        """Return this profile mirrored about y = 0: its relief at y is that of this one at -y."""
+        """Return this profile mirrored about y = 0."""
         return self.moved(flip=True)
 
     def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
@@ -125,13 +124,13 @@ def _parts(profile: Profile) -> tuple[Profile, ...]:
 
 
 class Formula(Profile):
-    """A profile of this package, which computes its relief at positions that are checked once."""
+    """A profile of this package; it computes its relief at positions that have been checked once."""
 
     def __init_subclass__(cls) -> None:
         if "__repr__" not in vars(cls):
-            cls.__repr__ = cls._show  # type: ignore[assignment, method-assign]  # not that of a dataclass
-        # A class that redefines one of the two has the other by it: by its own, not by that of a class derived from it,
-        # so that either may call those of its base.
+            cls.__repr__ = cls._show  # type: ignore[assignment, method-assign]  # not the dataclass's own
+        # A class that defines one of the two gets the other from it: from its own, not from that of a derived class,
+        # so that either may call its base class.
         if "relief" in vars(cls) and "relief_at" not in vars(cls):
             cls.relief_at = cls.relief  # type: ignore[method-assign]
         elif "relief_at" in vars(cls) and "relief" not in vars(cls):
@@ -193,7 +192,7 @@ class Sum(Formula):
 
     @property
     def joints(self) -> tuple[float, float] | None:
-        """Those of the first part that holds corners."""
+        """Joints of the first part that contains corners."""
         return next((part.joints for part in self.parts if part.joints is not None), None)
 
 
@@ -217,15 +216,15 @@ class Transformed(Formula):
         return text + (f".shifted({self.shift:.15g})" if self.shift else "") + ".flipped()" * self.flip
 
     def moved(self, *, scale: float = 1.0, shift: float = 0.0, flip: bool = False) -> Profile:
-        """Return this profile multiplied, shifted and flipped once more: of one without a name, the same at once."""
+        """Return this profile multiplied, shifted and flipped again; without a name, all are merged into one."""
         if self.catalogue_entry is not None:
             return super().moved(scale=scale, shift=shift, flip=flip)
-        # What is flipped moves the other way.
+        # A flipped profile is shifted the other way.
         way = -1.0 if self.flip else 1.0
         return self.profile.moved(scale=scale * self.scale, shift=self.shift + way * shift, flip=self.flip != flip)
 
     def relief_at(self, y: Array) -> Array:
-        """Return the factor times the profile's relief where that is found."""
+        """Return the factor times the relief of the profile at the positions moved back."""
         relief = self.profile.relief_at(moved_back(-y if self.flip else y, self.shift, self.profile.extent))
         if self.scale == 1.0:
             return relief
@@ -251,21 +250,21 @@ class Transformed(Formula):
 
     @property
     def joints(self) -> tuple[float, float] | None:
-        """The profile's, moved."""
+        """The profile's joints, moved."""
         if self.profile.joints is None:
             return None
         low, high = self._moved(self.profile.joints)
         return low, high
 
     def _moved(self, positions: tuple[float, ...]) -> tuple[float, ...]:
-        """Return positions along the axis [mm], ascending, where they are moved to."""
+        """Return the moved positions along the axis [mm], ascending."""
         moved = [position + self.shift for position in positions]
         return tuple(-position for position in reversed(moved)) if self.flip else tuple(moved)
 
 
 def moved_back(y: Array, by: float, extent: tuple[float, float]) -> Array:
-    """Return positions [mm] moved back ``by``; the ends of an ``extent`` that was moved are its ends again.
+    """Return positions [mm] moved back ``by``; the ends of a moved ``extent`` return exactly to its ends.
 
-    A plain difference could put an end outside by rounding, where there is no body.
+    With a plain difference an end could fall outside the body by rounding.
     """
     return y if by == 0.0 else at_ends(y - by, extent)

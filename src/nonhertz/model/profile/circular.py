@@ -22,7 +22,7 @@ def drop_of_circle(radius: float, y: ArrayLike) -> Array:
     """Drop [mm] of a circle at the distance ``y`` from its summit; infinite beyond the circle."""
     size, distance = abs(radius), np.abs(y)
     inside = np.maximum((size - distance) * (size + distance), 0.0)
-    # R - sqrt(R^2 - y^2) would lose to cancellation the few micrometres that matter beside metres of radius.
+    # R - sqrt(R^2 - y^2) would lose the few micrometres that matter to cancellation if R is metres.
     drop = distance**2 / (size + np.sqrt(inside))
     return np.where(distance <= size, math.copysign(1.0, radius) * drop, np.inf)
 
@@ -54,7 +54,7 @@ class Arcs(Formula):
 
     @property
     def bends(self) -> tuple[float, ...]:
-        """The places where the arcs meet, if there is a middle."""
+        """Positions where the arcs meet, if there is a middle."""
         return (-self.junction, self.junction) if self.junction > 0.0 else ()
 
 
@@ -67,7 +67,7 @@ def crown(
         float,
         Quantity(
             "mm",
-            "the crown radius R along the axis, positive for a crown, negative for a hollow whose ends stand out",
+            "the crown radius R along the axis, positive for a crown, negative for a hollow, higher at the ends",
             _not_zero,
             "give the crown radius in mm, negative for a hollow profile",
         ),

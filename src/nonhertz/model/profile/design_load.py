@@ -30,7 +30,7 @@ COMPLIANCE = Quantity(
 
 
 def design_amplitude(load: float, length: float, compliance: float | None) -> float:
-    """Return the amplitude q / (pi E*) [mm] of the logarithm that spreads ``load`` evenly over ``length``.
+    """Return the amplitude q / (pi E*) [mm] of the logarithm that distributes ``load`` uniformly over ``length``.
 
     It equals (load / length) times the sum of both bodies' compliances; None means steel on steel.
     """

@@ -1,9 +1,9 @@
-"""A profile by its drop at a place, as a drawing states it, in place of the parameter that sets its size.
+"""A profile by its drop at a position, as a drawing states it, instead of the parameter that sets its size.
 
-The drop is the relief at the place less that in the middle of the body. Relief is proportional to an amplitude, to the
-tangent of an angle and to a factor on the whole, so one profile of each gives the value. Other parameters are searched
-in their logarithm: first at steps over all sizes, which finds where the drop passes the stated one whether it grows
-with the parameter or falls and wherever the kind refuses values, then by Brent's method between two steps.
+The drop is the relief at the position minus the relief in the middle of the body. Relief is proportional to an
+amplitude, to the tangent of an angle and to an overall factor, so these follow from one evaluation. Other parameters
+are searched on a logarithmic scale: first in steps over all sizes, to bracket the stated drop whether it grows or
+falls with the parameter and wherever the kind refuses values, then by Brent's method.
 """
 
 from __future__ import annotations
@@ -22,53 +22,53 @@ from nonhertz.inputs.descriptions import unknown_key_error
 from nonhertz.model.profile.base import Profile
 from nonhertz.model.profile.kind import CATALOGUE, PARAMETERS
 
-#: In place of a parameter, for kinds that have none which a drop could determine.
+#: Stands for a parameter in kinds without one that a drop could determine.
 SCALE: Final = "scale"
 
 AT_REMEDY = "give the position in mm from the middle of the body, on the side where the drop is measured"
-_DROP_REMEDY = "give in mm how much more relief there is than in the middle, negative where the surface stands out"
+_DROP_REMEDY = "give the relief in mm minus that in the middle, negative where the surface is higher than the middle"
 # Parameters to which relief is proportional: the value for a multiple of the relief at the value for 1.
 _PROPORTIONAL: Final[dict[str, Callable[[float], float]]] = {"amplitude": float, "angle": math.atan}
-# Relative difference of drops that is rounding in the largest arcs.
+# Relative difference of drops that is rounding error for the largest arcs.
 _UNCHANGED: Final = 1e-6
 # Relative error of a drop beyond which the search ended at a jump.
 _PASSED: Final = 1e-9
-# Steps of the search, in mm or N: beyond anything that is made, and three to a decade, so that a drop that grows and
-# falls again with a parameter is passed on both ways.
+# Steps of the search, in mm or N: beyond anything manufactured, and three to a decade, so that a drop that first
+# grows and then falls with a parameter is bracketed on both branches.
 _STEPS: Final = np.geomspace(1e-12, 1e12, 73).tolist()
 
 
 def with_drop(kind: str, drop: float, at: float, **parameters: Any) -> Profile:
-    """Return a profile of the catalogue by its drop at a place, in place of the parameter that the drop determines.
+    """Return a profile of the catalogue from its drop at a position, which determines one of its parameters.
 
     Parameters
     ----------
     kind : str
         Its name in case files, such as ``"crown"``.
     drop : float
-        Relief at ``at`` less the relief in the middle of the body [mm].
+        Relief at ``at`` minus the relief in the middle of the body [mm].
     at : float
         Position from the middle of the body [mm], not zero; negative for the side of negative y.
     **parameters : object
-        The other parameters of the kind, as the function of that name takes them. The drop determines the first that is
-        not given of: ``radius``, ``straight`` of a partial crown; ``end_radius``, ``radius`` of two radii;
+        The other parameters of the kind, as in the function of that name. The drop determines the first of these that
+        is not given: ``radius``, ``straight`` of a partial crown; ``end_radius``, ``radius`` of two radii;
         ``amplitude`` of a logarithm; ``load`` of a profile for a design load, then ``zm``; ``angle``, then ``straight``
         of tapered ends and ``width`` of a chamfer. Profiles of ISO 16281 and tabulated ones are scaled.
 
     Returns
     -------
     Profile
-        The profile. Its drop is right to 1e-12 of itself, and its catalogue entry has the parameter that was found.
+        The profile. Its drop has a relative error below 1e-12; its catalogue entry has the parameter determined.
 
     Raises
     ------
     InputError
-        If no value of the parameter makes that drop, or it is given already, or another value is out of range.
+        If no value of the parameter gives that drop, it is already given, or another value is out of range.
 
     Notes
     -----
-    Where several values make the drop, as they may of one that first grows with the parameter and then falls, it is
-    the smallest.
+    If several values give the drop, because it first grows with the parameter and then falls, the smallest is
+    returned.
 
     Examples
     --------
@@ -99,20 +99,20 @@ off_the_middle = number_that(lambda at: at != 0.0, "not be the middle of the bod
 
 
 def parameter_from_drop(kind: str, parameters: Iterable[str]) -> str | None:
-    """Return what a drop determines beside the given parameters of a kind, `SCALE` if no parameter; None if nothing."""
+    """Return the parameter that a drop determines beside the given ones; `SCALE` if it scales the relief, else None."""
     names = PARAMETERS[kind].by_drop
     return next((name for name in names if name not in parameters), None) if names else SCALE
 
 
 def scaled_to_drop(profile: Profile, kind: str, drop: float, at: float) -> Profile:
-    """Return a profile times the factor that gives it a drop.
+    """Return a profile scaled to have a drop.
 
     Parameters
     ----------
     profile : Profile
-        The profile, whose relief differs between the place and the middle.
+        The profile, whose relief must differ between the position and the middle.
     kind : str
-        What errors call it.
+        Name of the profile in errors.
     drop, at : float
         As in `with_drop` [mm].
     """
@@ -144,7 +144,7 @@ def _no_effect_error(kind: str, name: str, at: float) -> InputError:
 
 def _drop(profile: Profile, at: float) -> float:
     edge, middle = profile.relief_at(np.array([float(at), 0.0])).tolist()
-    # No body in the middle, beyond the points of a table: no drop is measured from there.
+    # A table may have no body in the middle: no drop can be measured from there.
     return math.nan if math.isinf(middle) else edge - middle
 
 
@@ -164,7 +164,7 @@ def _search(make: Callable[[float], Profile], kind: str, name: str, drop: float,
     from scipy.optimize import brentq
 
     if drop == 0.0:
-        raise InputError("drop", drop, f"not be zero, which no {name} of '{kind}' makes", "leave the profile out")
+        raise InputError("drop", drop, f"not be zero, which no {name} of '{kind}' gives", "leave the profile out")
     tried = _scan(make, name, at)
     drops = [value for _, value in tried if math.isfinite(value)]
     if not drops:
@@ -173,7 +173,7 @@ def _search(make: Callable[[float], Profile], kind: str, name: str, drop: float,
         raise _no_effect_error(kind, name, at)
 
     def between(share: float, first: float, second: float) -> float:
-        # The ends themselves, not rounded, so that the signs found there hold.
+        # Exactly the ends, without rounding, so that the signs computed there hold.
         return second if share == 1.0 else first * (second / first) ** share
 
     def excess(share: float, first: float, second: float) -> float:
@@ -185,18 +185,18 @@ def _search(make: Callable[[float], Profile], kind: str, name: str, drop: float,
         if first * second > 0.0 and (one - drop) * (other - drop) <= 0.0:
             ends = (first, second)
             share = brentq(excess, 0.0, 1.0, args=ends, xtol=1e-16, rtol=4.0 * np.finfo(float).eps)
-            # At the end of a circle the drop jumps to infinity, past what no radius makes.
+            # At the end of a circle the drop jumps to infinity, past values that no radius gives.
             if abs(excess(share, *ends)) < _PASSED * abs(drop):
                 return make(between(share, *ends))
-    which = f"the drops that any {name} of '{kind}' makes at y = {mm(at):g}"
+    which = f"the drops that any {name} of '{kind}' gives at y = {mm(at):g}"
     condition = f"lie between about {mm(min(drops), max(drops), between=' and '):.3g}, {which}"
     raise InputError("drop", drop, condition, "check drop and at")
 
 
 def _scan(make: Callable[[float], Profile], name: str, at: float) -> list[tuple[float, float]]:
-    """Return values of a parameter with their drops, smallest values first, and then negative ones.
+    """Return values of a parameter with their drops, smallest values first, then negative ones.
 
-    Values that the kind refuses are left out. If it refuses all, another parameter is to blame.
+    Values that the kind refuses are left out. If it refuses all, another parameter is wrong.
     """
     values, refused = [], None
     for value in (*_STEPS, *(-step for step in _STEPS)):

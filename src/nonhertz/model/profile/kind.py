@@ -1,8 +1,8 @@
-"""Kinds of profile: functions whose parameters say what they are, for Python, files and forms alike.
+"""Kinds of profile: functions whose parameters are described once, for Python, files and forms.
 
-A kind is a function marked with `kind`, its parameters annotated as the fields of an input are, see
-`nonhertz.inputs.fields`. From these come the checks before it is called, its docstring, and the class that readers and
-forms use. What concerns several parameters is a function of just these that raises `InputError`.
+A kind is a function marked with `kind`, its parameters annotated like the fields of an input, see
+`nonhertz.inputs.fields`. From these follow the checks before it is called, its docstring, and the class that readers
+and forms use. A condition on several parameters is a function of just these that raises `InputError`.
 """
 
 from __future__ import annotations
@@ -20,16 +20,16 @@ P = ParamSpec("P")
 
 
 class ProfileKind(Input):
-    """What a kind of profile takes: a class for each kind.
+    """Parameters of a kind of profile: one class for each kind.
 
     Attributes
     ----------
     by_drop : tuple of str
-        What a stated drop determines: the first of these parameters that is not given. Without any the whole is scaled.
+        A stated drop determines the first of these parameters that is not given; without any, the relief is scaled.
     of_body : mapping
-        What is taken from the body, or from both bodies together, where a table in a file leaves it out: names of
-        parameters, and the dimensions that they default to: ``"diameter"``, ``"length"`` between the side faces,
-        ``"land"`` between corners or within the effective length, or the combined ``"radius"``.
+        Parameters that default to a dimension of the body, or of both bodies together, where a table in a file leaves
+        them out: ``"diameter"``, ``"length"`` between the side faces, ``"land"`` between corners or within the
+        effective length, or the combined ``"radius"``.
     """
 
     by_drop: ClassVar[tuple[str, ...]] = ()
@@ -38,7 +38,7 @@ class ProfileKind(Input):
 
 #: The functions of all kinds, by their names in files.
 CATALOGUE: Final[dict[str, Callable[..., Profile]]] = {}
-#: What each of them takes.
+#: The parameters of each kind.
 PARAMETERS: Final[dict[str, type[ProfileKind]]] = {}
 
 
@@ -48,14 +48,14 @@ def kind(
     of_body: Mapping[str, str] = MappingProxyType({}),
     cross_checks: tuple[Callable[..., None], ...] = (),
 ) -> Callable[[Callable[P, Profile]], Callable[P, Profile]]:
-    """Return a decorator that makes a kind of the catalogue of a function; dashes in its name are those of files.
+    """Return a decorator that adds a function to the catalogue as a kind; files write its name with dashes.
 
     Parameters
     ----------
     by_drop, of_body : tuple of str, mapping
-        As of `ProfileKind`.
+        As in `ProfileKind`.
     cross_checks : tuple of callable
-        Checks of several parameters, each a function of these, by their names.
+        Conditions on several parameters, each a function of these by name.
     """
 
     def decorate(function: Callable[P, Profile]) -> Callable[P, Profile]:

@@ -50,16 +50,16 @@ class TaperedEnds(Formula):
 
 
 BEARS_NOTHING = 0.05
-"""Drop [mm] of an end that no contact reaches: surfaces deflect by tens of micrometres at most."""
+"""Drop [mm] at the end beyond which no contact reaches: surfaces deflect by tens of micrometres at most."""
 
 
 @dataclass(frozen=True)
 class Chamfers(TaperedEnds):
-    """The same where the ends are too steep to bear, as those of a roller beyond its effective length."""
+    """Tapered ends too steep to carry load, such as those of a roller beyond its effective length."""
 
     @property
     def joints(self) -> tuple[float, float]:
-        """Where the chamfers begin [mm]."""
+        """Positions where the chamfers begin [mm]."""
         return -0.5 * self.straight, 0.5 * self.straight
 
 
@@ -85,7 +85,7 @@ def conical(
         float,
         Quantity(
             "rad",
-            "the angle of the surface to its nominal direction, positive: thinner towards positive y",
+            "the angle of the surface to its nominal direction; positive if thinner towards positive y",
             _less_than_upright,
             _ANGLE_REMEDY,
         ),

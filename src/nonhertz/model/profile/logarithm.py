@@ -28,7 +28,7 @@ _END = 0.3033
 # Positions are clipped to these, in mm and in half-lengths, so that no square overflows.
 _FAR, _BEYOND = 1e100, 1e150
 _MOST_DROP = 700.0  # amplitudes: below exp(-708) numbers lose precision
-_LEAST_SHARE = 1e-9  # of the length that is crowned; less would be lost in the rounding of the length
+_LEAST_SHARE = 1e-9  # crowned fraction of the length; less would be lost in rounding of the length
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,8 @@ class Logarithmic(Formula):
         distance = np.minimum(np.abs(y), _FAR)
         half = 0.5 * self.curved
         share = np.minimum(np.maximum(distance - 0.5 * self.straight, 0.0) / half, _BEYOND)
-        # 1 - s, measured from the end: a difference of nearly equal numbers is exact, so it is zero at the end itself
-        # and accurate close to it, where a millionth of the argument is micrometres of relief.
+        # 1 - s, measured from the end: the difference of nearly equal numbers is exact, so it is zero at the end and
+        # accurate close to it, where a millionth of the argument makes micrometres of relief.
         to_end = np.maximum((0.5 * self.length - distance) / half, -_BEYOND)
         argument = to_end * (1.0 + share) + self.rest * share**2
         inside = argument > 0.0
@@ -66,7 +66,7 @@ class Logarithmic(Formula):
         # In the middle, s itself is accurate.
         inner = -np.log1p(-(1.0 - self.rest) * np.minimum(share, 0.5) ** 2)
         drop = np.where(to_end > 0.5, inner, outer)
-        # With zero amplitude there is a body up to the pole, and none from there outwards.
+        # With zero amplitude there is a body up to the pole, but none beyond.
         relief = np.where(np.isinf(drop), np.inf, self.amplitude * np.where(np.isinf(drop), 0.0, drop))
         return np.asarray(np.where(to_end >= 0.0, np.minimum(relief, self.at_end), relief) + 0.0)
 
@@ -101,7 +101,7 @@ def logarithmic(
             "the fraction of the half-length at which the end of the roller lies on the curve, in (0, 1]; at 1 the "
             "relief at the end is infinite, just below 1 it is large but finite",
             _share,
-            "give a share of the half-length",
+            "give a fraction of the half-length",
         ),
     ] = 1.0,
     straight: Annotated[
@@ -140,7 +140,7 @@ _DIAMETER = Quantity(
 )
 _EFFECTIVE_LENGTH = Quantity(
     "mm",
-    "the effective roller length L (L_we), what the corners leave",
+    "the effective roller length L (L_we), without the corners",
     positive,
     "give the roller's effective length in mm",
 )
@@ -189,7 +189,7 @@ def iso_tapered(
     diameter: Annotated[float, _DIAMETER],
     length: Annotated[float, _EFFECTIVE_LENGTH],
 ) -> Profile:
-    """Return the reference profile of ISO 16281 for tapered rollers, of radial and thrust bearings alike.
+    """Return the reference profile of ISO 16281 for tapered rollers of radial and thrust bearings.
 
     Relief = 0.00045 D ln(1 / (1 - (2 y / L)^2)).
 
@@ -306,7 +306,7 @@ def fujiwara_kawase(
             "",
             "the fraction K2 of the length that is crowned, from 1e-9 to 1",
             _crowned_share,
-            "give the share of the length that is crowned",
+            "give the fraction of the length that is crowned",
         ),
     ] = 1.0,
     zm: Annotated[
@@ -321,7 +321,7 @@ def fujiwara_kawase(
     ] = None,
     compliance: Annotated[float | None, COMPLIANCE] = None,
 ) -> Profile:
-    """Return the profile of Fujiwara and Kawase: `johns_gohar` with three parameters to design with.
+    """Return the profile of Fujiwara and Kawase: `johns_gohar` with three design parameters.
 
     With A = k1 (load / length) (K_a + K_b), a = length / 2 and s = (abs(y) - (1 - k2) a) / (k2 a), the relief
     is A ln(1 / (1 - (1 - exp(-zm / A)) s^2)) for s > 0 and zero in the straight middle.
@@ -348,6 +348,6 @@ def fujiwara_kawase(
         assert radius is not None
         rest = _END * 2.0 * design_half_width(load, length, radius, compliance) / length
     else:
-        # Under a light design load the exponential underflows; the relief at the end must stay finite nevertheless.
+        # Under a light design load the exponential underflows, yet the relief at the end must stay finite.
         rest = math.exp(-zm / amplitude) if zm < _MOST_DROP * amplitude else 0.0
     return Logarithmic(amplitude, length, rest, curved=k2 * length, at_end=at_end)

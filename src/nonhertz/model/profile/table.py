@@ -23,7 +23,7 @@ from nonhertz.model.profile.kind import kind
 #: The curve through tabulated points.
 Interpolation = Literal["pchip", "linear", "cubic"]
 _MOST_BENDS, _MOST_CRESTS = 20, 5000
-_CLOSEST = 1e-12  # of the farthest position: a smaller spacing would be lost in rounding
+_CLOSEST = 1e-12  # of the largest position: a smaller spacing would be lost in rounding
 LARGEST_FILE = 5_000_000  # bytes
 MOST_POINTS = 100_000  # strips resolve some hundreds
 _FEWER_POINTS = "export fewer points; a few thousand are enough"
@@ -38,12 +38,12 @@ class Tabulated(Formula):
     y: tuple[float, ...]
     values: tuple[float, ...]
     interpolation: Interpolation = "pchip"
-    # Not compared, because a case file keeps points and curve only.
+    # Not compared: a case file stores only points and curve.
     joints: tuple[float, float] | None = field(default=None, compare=False)
 
     @property
     def catalogue_entry(self) -> tuple[str, dict[str, Any]]:
-        """The kind and the points, wherever they came from."""
+        """The kind and the points, whatever their origin."""
         return "tabulated", {"y": self.y, "relief": self.values, "interpolation": self.interpolation}
 
     def relief_at(self, y: Array) -> Array:
@@ -56,7 +56,7 @@ class Tabulated(Formula):
         """The kinks of a linear interpolation: where the slope jumps by more than a tenth of its whole range.
 
         A densely sampled smooth curve has none. Where more than twenty points qualify, the table is rough
-        rather than kinked, and no point deserves more attention than its neighbours.
+        rather than kinked, and no point is treated specially.
         """
         if self.interpolation != "linear" or len(self.y) < 3:
             return ()
