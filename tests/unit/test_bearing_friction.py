@@ -113,7 +113,7 @@ def test_large_seats_and_grease_and_full_complements():
 def test_the_verdict_counts_the_axial_load_on_ribs():
     level, sentence = kinds(case_of(nj206(), axial=1000.0))["rib-limit"]
     assert level == "NOT_MET"
-    assert sentence.startswith("Ribs bear 1.000 kN along the axis; the heat on ribs allows 6")
+    assert sentence.startswith("The axial load on ribs is 1.000 kN; the heat on ribs permits 6")
     assert "Schaeffler 2006, oil sump: 46" in sentence
     level, sentence = kinds(case_of(nj206(width=None), axial=100.0))["rib-limit"]
     assert level == "NOT_JUDGED"
@@ -148,7 +148,7 @@ def test_additives_are_demanded_of_thin_oil_alone():
         case = replace(case_of(nj206()), lubrication=nh.bearing.Lubrication(viscosity=viscosity))
         assert ("additives" in kinds(case)) is named
     level, sentence = kinds(replace(case, lubrication=nh.bearing.Lubrication(viscosity=4.8)))["additives"]
-    assert (level, sentence.split(",")[0]) == ("NOT_JUDGED", "With kappa of 0.398")
+    assert (level, sentence.split(",")[0]) == ("NOT_JUDGED", "For kappa of 0.398")
 
 
 # KRW Leipzig, catalogue, page 53, after DIN 732-2 (draft): f_0 in oil and f_1 by series; of bearings without a cage by

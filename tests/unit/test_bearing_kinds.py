@@ -37,7 +37,7 @@ def test_a_moment_on_a_bearing_that_aligns_itself_is_refused(distance):
     bearing = B.paired(SPHERICAL, "X", distance) if distance else SPHERICAL
     with pytest.raises(nh.InputError) as refused:
         B.solve(bearing, radial=40e3, axial=9e3, moment=5e3)
-    told = "moment = 5000.0 must be zero for a bearing whose inner ring is free to turn about the middle of a sphere"
+    told = "moment = 5000.0 must be zero for a bearing whose inner ring is free to turn about the centre of a sphere"
     assert str(refused.value).startswith(told)
     held, free = (B.solve(bearing, radial=40e3, axial=9e3, method="slices", **each) for each in ({}, {"moment": 0.0}))
     assert_allclose(free.load, held.load)
@@ -86,7 +86,10 @@ def test_a_row_that_is_turned_round_is_its_mirror_image():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: B.solve(THRUST, axial=-1000.0), "axial = -1000.0 must act along +x, the only way in which this beari"),
+        (
+            lambda: B.solve(THRUST, axial=-1000.0),
+            "axial = -1000.0 must act along +x, the only direction in which this ",
+        ),
         (lambda: B.solve(THRUST, radial=1e3), "radial = 1000.0 must be zero for a bearing whose inner ring is free"),
         (
             lambda: B.rating(
@@ -94,7 +97,7 @@ def test_a_row_that_is_turned_round_is_its_mirror_image():
             ),
             "must be of bearing steel",
         ),
-        (lambda: B.Paired(bearings=(TAPER,), x=(0.0, 1.0), turned=(True,)), "x = (0.0, 1.0) must hold 1 places"),
+        (lambda: B.Paired(bearings=(TAPER,), x=(0.0, 1.0), turned=(True,)), "x = (0.0, 1.0) must hold 1 positions"),
         (lambda: B.Paired(bearings=(), x=(), turned=()), "bearings = () must be rows of rollers"),
         (lambda: B.Paired(bearings=(TAPER,), x=(0.0,), turned=(3,)), "turned = 3 must be"),
         (
@@ -213,7 +216,7 @@ def test_slices_are_as_stiff_as_their_materials(name, of_strips):
 
 
 def test_slices_say_that_they_take_hollow_rollers_as_solid():
-    with pytest.warns(nh.AccuracyWarning, match="take hollow rollers as solid ones"):
+    with pytest.warns(nh.AccuracyWarning, match="treat hollow rollers as solid ones"):
         B.solve(nu206(bore=5.0), radial=3e3, method="slices")
 
 

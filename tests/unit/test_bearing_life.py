@@ -326,7 +326,7 @@ def test_sharp_ends_are_said_and_unloaded_bearings_last():
     ("given", "message"),
     [
         ({"model": "iso-16281"}, "model = 'iso-16281' must be a model of the stressed volume"),
-        ({"model": nh.life.ioannides_harris(fatigue_limit=5e3)}, "model = 'ioannides-harris' must do damage at the"),
+        ({"model": nh.life.ioannides_harris(fatigue_limit=5e3)}, "model = 'ioannides-harris' must cause damage at the"),
         ({"field": "half"}, "field = 'half' must be one of"),
     ],
 )
@@ -375,7 +375,7 @@ def test_the_safety_against_a_pressure_is_the_factor_on_the_load():
 
 def test_a_sharp_end_has_no_safety():
     found = B.solve(row(profile=nh.profile.straight()), radial=6e3)
-    with pytest.raises(nh.InputError, match="must have ends at which the pressure has a limit, and has none towards"):
+    with pytest.raises(nh.InputError, match="must have finite pressure at its ends, but it is singular towards"):
         B.pressure_safety(found)
 
 

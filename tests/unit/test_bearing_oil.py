@@ -24,7 +24,11 @@ def test_the_viscosities_given_are_met_in_either_order():
         (-300, {"viscosities": (46, 6.8)}, "temperature = -300 must lie above -273.15 degC"),
         (300, {"viscosities": (46, 6.8)}, "temperature = 300 must leave the oil with more than 2 mm2/s"),
         (-270, {"viscosities": (46, 6.8)}, "temperature = -270 must leave the oil with more than 2 mm2/s"),
-        (70, {"viscosities": (6.8, 46)}, "viscosities = (6.8, 46) must exceed 2 mm2/s and be lower where it is warmer"),
+        (
+            70,
+            {"viscosities": (6.8, 46)},
+            "viscosities = (6.8, 46) must exceed 2 mm2/s and be lower at the higher temperature",
+        ),
         (70, {"viscosities": (46, 1.5)}, "viscosities = (46, 1.5) must exceed 2 mm2/s"),
         (70, {"viscosities": (46, 6.8), "temperatures": (40, 40)}, "temperatures = (40, 40) must differ"),
     ],

@@ -125,7 +125,10 @@ def test_a_contact_beyond_the_flank_is_said():
         (lambda: row(axial_clearance=-0.1), "axial_clearance = -0.1 must"),
         (lambda: B.Rib(100.0, 3.0, edge=3.5), "edge = 3.5 must be less than the height of the contact, 3 mm"),
         (lambda: B.Rib.of_flank(end_radius=100.0, angle=2.0), "angle = 2.0 must be less than a right angle"),
-        (lambda: B.solve(row(), radial=1e3, axial=-5.0), "axial = -5.0 must act along \\+x, the only way in which"),
+        (
+            lambda: B.solve(row(), radial=1e3, axial=-5.0),
+            "axial = -5.0 must act along \\+x, the only direction in which",
+        ),
         (lambda: B.solve(row("N"), radial=1e3, axial=5.0), "axial = 5.0 must be zero for a bearing whose inner ring"),
     ],
 )
@@ -161,6 +164,6 @@ def test_the_clearance_of_a_pair_lies_between_ribs(arrangement, design):
 
 def test_a_pair_that_is_free_along_the_axis_has_no_clearance():
     with pytest.raises(
-        nh.InputError, match=r"pair\.clearance = 0\.2 must be zero for rows that do not hold the inner ring"
+        nh.InputError, match=r"pair\.clearance = 0\.2 must be zero for rows that do not locate the inner ring"
     ):
         B.paired(row("NU"), "X", 30.0, clearance=0.2)

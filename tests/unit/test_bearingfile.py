@@ -604,8 +604,8 @@ OF_SHAPES = [
 ]
 OF_FITS = [
     ("[fit.housing]\ndiameter = 62\n", "", "fit.housing must be given: "),
-    ("diameter = 30", "diameter = 40", "fit.shaft.diameter = 40.0 must be less than that of the inner raceway"),
-    ("diameter = 62", "diameter = 50", "fit.housing.diameter = 50.0 must exceed that of the outer raceway"),
+    ("diameter = 30", "diameter = 40", "fit.shaft.diameter = 40.0 must be less than the diameter of the inner raceway"),
+    ("diameter = 62", "diameter = 50", "fit.housing.diameter = 50.0 must exceed the diameter of the outer raceway"),
     ("diameter = 30", "diameter = 30\nbore = 31", "fit.shaft.bore = 31.0 must be less than the diameter"),
     ('"12 um"', '"1 mm"', "fit.shaft.interference = '1 mm' must not exceed 1 % of the diameter of 30 mm"),
     ("diameter = 62", "diameter = 62\nbore = 60", "Unknown key fit.housing.bore: "),

@@ -99,7 +99,7 @@ def test_pressure_on_cells_without_a_body_is_seen(solution):
         return np.where(x < 0.0, np.inf, GAP(x, y))
 
     assert find_complaint(solution, cut, GIVEN, TOLERANCE).startswith(
-        "Cells without a body, where the gap is infinite, bear"
+        "Cells without a body, where the gap is infinite, carry"
     )
 
 

@@ -27,15 +27,16 @@ from nonhertz.model.profile import crown
 
 Array = NDArray[np.float64]
 _GROOVE = "give that of the groove along the rollers in mm"
-# Where ribs touch cylindrical rollers, over their radius, and by how much their flanks are open [rad]: both guessed.
+# Contact of ribs with cylindrical rollers, over their radius, and flank opening angle [rad]: both are estimates.
 _RIB_HEIGHT, _RIB_ANGLE = 0.7, math.radians(0.5)
 
 
 @input_class(kw_only=True)
 class CylindricalRollerBearing(RollerBearing):
-    """A row of cylindrical rollers, whose ribs hold the inner ring along the axis or not.
+    """A row of cylindrical rollers; depending on the design, ribs locate the inner ring axially.
 
-    If the rib is left out, it touches at 0.7 of the rollers' radius, on flanks that are open by half a degree: a guess.
+    If the rib is left out, it touches at 0.7 of the rollers' radius, with a flank opening angle of half a degree: an
+    estimate.
 
     Examples
     --------
@@ -52,9 +53,9 @@ class CylindricalRollerBearing(RollerBearing):
         Word(
             "which ring of a cylindrical bearing has ribs: 'NU', both of the outer one, or 'N', both of the inner one, "
             "which leave the rings free along the axis; 'NJ', both of the outer and one of the inner one, and 'NF', "
-            "both of the inner and one of the outer one, which bear axial loads on the inner ring along +x; 'NUP', all "
-            "four, both ways",
-            "name which ring has ribs",
+            "both of the inner and one of the outer one, which support axial loads on the inner ring along +x; 'NUP', "
+            "all four, in both directions",
+            "name the design of the ribs",
             tuple(DESIGNS),
         ),
     ] = "NU"
@@ -63,8 +64,7 @@ class CylindricalRollerBearing(RollerBearing):
         float,
         Quantity(
             "mm",
-            "how far the inner ring of a 'NUP' moves along the axis from ribs to ribs; half of it to either side, in "
-            "other designs too",
+            "axial internal clearance of a 'NUP', between its ribs; half of it on either side, also in other designs",
             not_negative,
             "give the axial internal clearance in mm",
         ),
@@ -75,19 +75,19 @@ class CylindricalRollerBearing(RollerBearing):
     def _check_design(self) -> None:
         if self.rib is not None and not any(self.bears_axially):
             remedy = "use NJ, NF or NUP, or leave out the rib"
-            raise InputError("design", self.design, "have ribs that bear loads, since a rib is given", remedy)
+            raise InputError("design", self.design, "have ribs that support loads, since a rib is given", remedy)
 
     @property
     def bears_axially(self) -> tuple[bool, bool]:
-        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        """Whether the inner ring can support an axial load along +x, and along -x."""
         ribs = DESIGNS[self.design]
-        # A rib of the inner ring pushes rollers against one of the outer ring at their other ends.
+        # A rib of the inner ring pushes rollers against a rib of the outer ring at their other ends.
         low, high = (("inner", side) in ribs and ("outer", -side) in ribs for side in (-1, 1))
         return low, high
 
     @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
-        """The contacts of the rollers' ends with ribs that bear loads."""
+        """The contacts of the rollers' ends with ribs that support loads."""
         if not any(self.bears_axially):
             return ()
         rib = self.rib
@@ -101,17 +101,17 @@ class CylindricalRollerBearing(RollerBearing):
 
 @input_class(kw_only=True)
 class NeedleRollerBearing(CylindricalRollerBearing):
-    """A row of needle rollers: cylindrical ones that are long and thin."""
+    """A row of needle rollers: long, thin cylindrical rollers."""
 
 
 @input_class(kw_only=True)
 class TaperedRollerBearing(RollerBearing):
-    """A row of tapered rollers, which bears axial loads on the inner ring along +x.
+    """A row of tapered rollers, which supports axial loads on the inner ring along +x.
 
-    Diameters of the raceways are those of the cones on a radial line through the rollers' middles; along the rollers
-    they change as the contact angles say. The rollers' large ends are at low x, and so at negative y of their profiles.
-    If the rib is left out, the rollers' ends have a radius of 0.95 times the distance to the point at which all cones
-    meet, and touch the inner ring's rib at 0.9 of the radius of their large ends: a guess.
+    Diameters of the raceways are those of the cones on a radial line through the rollers' centres; along the rollers
+    they change according to the contact angles. The rollers' large ends are at low x, and thus at negative y of their
+    profiles. If the rib is left out, the rollers' ends have a radius of 0.95 times the distance to the common apex of
+    the cones, and touch the inner ring's rib at 0.9 of the radius of their large ends: an estimate.
     """
 
     is_tapered: ClassVar[bool] = True
@@ -123,11 +123,11 @@ class TaperedRollerBearing(RollerBearing):
     @cross_check("roller", "contact_angle")
     def _check_cone(self) -> None:
         if self.roller.length is None:
-            return  # which is the rollers' mistake
+            return  # reported as an error of the rollers
         if not self.half_cone_angle > 0.0:
             condition = "be a table of y and diameter that is larger at negative y"
             remedy = (
-                "give TabulatedDiameter((-5, 5), (11, 10)), or { y = [-5, 5], diameter = [11, 10] } in a file, say: "
+                "give such as TabulatedDiameter((-5, 5), (11, 10)), or { y = [-5, 5], diameter = [11, 10] } in a file: "
                 "the large ends are at low x"
             )
             raise InputError("roller.diameter", self.roller.diameter, condition, remedy)
@@ -137,7 +137,7 @@ class TaperedRollerBearing(RollerBearing):
 
     @property
     def half_cone_angle(self) -> float:
-        """Half of the angle at the tip of a roller's cone [rad]; negative if the large end is at positive y."""
+        """Half of the cone angle of a roller [rad]; negative if the large end is at positive y."""
         diameter = self.roller.diameter
         if not isinstance(diameter, TabulatedDiameter):
             return 0.0
@@ -160,7 +160,7 @@ class TaperedRollerBearing(RollerBearing):
 
     @property
     def radial_clearance(self) -> float:
-        """From one side to the other the inner ring moves by so much across the axis [mm], up to this row alone."""
+        """Radial internal clearance of this row alone [mm]."""
         return 2.0 * math.tan(self.contact_angle) * self.clearance_range.likely
 
     @cached_property
@@ -194,7 +194,7 @@ class TaperedRollerBearing(RollerBearing):
 def _of_groove(ring: str) -> Quantity:
     return Quantity(
         "mm",
-        f"the radius of the {ring} ring's groove along the barrels of a spherical bearing, larger than theirs",
+        f"the groove radius of the {ring} ring of a spherical bearing, larger than the profile radius of the rollers",
         positive,
         _GROOVE,
     )
@@ -202,10 +202,10 @@ def _of_groove(ring: str) -> Quantity:
 
 @input_class(kw_only=True)
 class SphericalRollerBearing(RollerBearing):
-    """A row of barrels between grooves, of which the outer one is part of a sphere; usually one of two, in `Paired`.
+    """A row of barrel rollers in grooves; the outer raceway is part of a sphere. Usually one of two rows, in `Paired`.
 
-    Profiles of the bodies are what departs from arcs. Diameters of the raceways are those of the grooves on a radial
-    line through the rollers' middles. The contact angle is that of both raceways.
+    Profiles of the bodies are deviations from arcs. Diameters of the raceways are those of the grooves on a radial line
+    through the rollers' centres. Both raceways have the same contact angle.
     """
 
     clearance_table: ClassVar[str] = "spherical"
@@ -215,9 +215,9 @@ class SphericalRollerBearing(RollerBearing):
         float,
         Quantity(
             "mm",
-            "the radius of the barrels of a spherical bearing along their axis",
+            "the profile radius of the barrel rollers of a spherical bearing, along their axis",
             positive,
-            "give that of the barrels along their axis in mm",
+            "give the profile radius of the barrels in mm",
         ),
     ]
     inner_groove: Annotated[float, _of_groove("inner")]
@@ -238,7 +238,7 @@ class SphericalRollerBearing(RollerBearing):
 
     @property
     def aligning_reach(self) -> float:
-        """How far below the rollers' middles along x the middle of the outer sphere is [mm]."""
+        """Distance along -x from the rollers' centres to the centre of the outer sphere [mm]."""
         return 0.5 * self.pitch * math.tan(self.nominal_angle)
 
     @property
@@ -249,10 +249,10 @@ class SphericalRollerBearing(RollerBearing):
         return raceway_motion(inner, inner=True, **barrel), raceway_motion(outer, inner=False, **barrel)
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
-        """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.
+        """Return the load on every roller due to the speed of a turning ring [rad/s]: along x and r, and the moment.
 
-        Only what presses barrels on the outer ring is left: on its sphere they would slide along their axes and turn
-        under their gyroscopic moment until they jam, which the guide ring or the cage prevents.
+        Only the force that presses barrels on the outer ring is included: guide ring or cage take up the others, under
+        which barrels would slide along their axes and skew until they jam.
         """
         square = np.array([math.sin(self.contact_angle), math.cos(self.contact_angle)])
         return np.array([*(super().load_by_speed(speed, turning)[:2] @ square * square), 0.0])
@@ -270,13 +270,13 @@ class SphericalRollerBearing(RollerBearing):
 
 @input_class(kw_only=True)
 class CylindricalThrustBearing(RollerBearing):
-    """Cylindrical rollers between two washers, which bears axial loads along +x and moments alone.
+    """Cylindrical rollers between two washers, which support only axial loads along +x and moments.
 
     ``inner`` is the shaft's washer, which moves, and ``outer`` that of the housing; both are flat, without a diameter.
     The rollers' axes are radial, with y of their profiles towards the bearing's axis.
     """
 
-    pitch_diameter: Annotated[float, replace(PITCH, meaning="the diameter of the circle of the rollers' middles")] = (
+    pitch_diameter: Annotated[float, replace(PITCH, meaning="the pitch diameter, through the rollers' centres")] = (
         field()
     )
 
@@ -289,7 +289,7 @@ class CylindricalThrustBearing(RollerBearing):
         self._refuse_crowd()
         if self.roller_length >= self.pitch:
             condition = f"be less than the pitch diameter of {mm(self.pitch):g}"
-            raise InputError("roller.length", self.roller_length, condition, "give that of the rollers' middles in mm")
+            raise InputError("roller.length", self.roller_length, condition, "give the pitch diameter in mm")
 
     @property
     def nominal_angle(self) -> float:
@@ -297,7 +297,7 @@ class CylindricalThrustBearing(RollerBearing):
         return 0.5 * math.pi
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
-        """Return the moment alone: the cage holds the rollers along their axes, in which direction they are flung."""
+        """Return only the moment: the cage takes up the centrifugal force, which acts along the rollers' axes."""
         return np.array([0.0, 0.0, super().load_by_speed(speed, turning)[2]])
 
 
@@ -312,5 +312,5 @@ RollerBearing.kinds = {
 
 
 def _along(y: Array, middle: float, slope: float) -> TabulatedDiameter:
-    """Return a diameter that changes evenly along a generator."""
+    """Return a diameter that changes linearly along a generator."""
     return TabulatedDiameter(tuple(y.tolist()), tuple((middle + slope * y).tolist()))

@@ -1,20 +1,20 @@
-"""A guess of what is inside a bearing, from what stands in catalogues: boundary dimensions and load ratings.
+"""Estimate of a bearing's internal geometry from catalogue data: boundary dimensions and load ratings.
 
-Wanted are the number Z of the rollers, their diameter D_w and effective length L and the pitch diameter. Known are, of
-ISO 76 and ISO 281,
+The unknowns are the number Z of rollers, their diameter D_w and effective length L, and the pitch diameter. ISO 76 and
+ISO 281 give
 
     C_0 = 44 (1 - gamma) Z L D_w cos(alpha)        gamma = D_w cos(alpha) / D_pw
     C   = b_m f_c(gamma) (L cos(alpha))^(7/9) Z^(3/4) D_w^(29/27)
 
-C_0 is nothing but geometry, and is met exactly: it gives L for every Z and D_w. C then hardly depends on Z, because L Z
-is fixed and its powers are nearly equal, and makers rate their steel up to 20 % above the standard. So two ratings do
-not give two unknowns. What is left open is decided by what is usual (`_USUAL`): the most probable Z and D_w are those
-of the least sum of squares
+C_0 depends only on geometry and is met exactly: it gives L for every Z and D_w. C then hardly depends on Z, because L Z
+is fixed and its powers are nearly equal, and manufacturers rate their steel up to 20 % above the standard. Two ratings
+thus do not determine two unknowns. The rest follows from usual proportions (`_USUAL`): the most probable Z and D_w have
+the least sum of squares
 
     ((ln(C / C_ISO) - 0.07) / 0.08)^2 + sum ((x - usual) / scatter)^2
 
-over the fill of the pitch circle Z D_w / (pi D_pw), the share of the radial section (D - d) / 2 that the rollers take,
-and L over the bearing's width. Usual shares and scatters are those of a few known bearings (docs/how-to/catalogue.md).
+over the fill of the pitch circle Z D_w / (pi D_pw), the fraction of the radial section (D - d) / 2 that rollers fill,
+and L over the bearing's width. Usual values and scatters come from a few known bearings (docs/how-to/catalogue.md).
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class _Share:
 
 @dataclass(frozen=True)
 class _Design:
-    """What is usual in a kind of bearing."""
+    """Usual proportions of a kind of bearing."""
 
     pitch: float  # over the mean of bore and outside diameter
     fill: _Share  # of the pitch circle by rollers
@@ -66,16 +66,16 @@ _USUAL = {
     "needle": _Design(1.0, _Share(0.75, 0.06), _Share(0.42, 0.05), _Share(0.67, 0.06)),
     "tapered": _Design(1.01, _Share(0.91, 0.04), _Share(0.50, 0.03), _Share(0.58, 0.05)),
 }
-_STEEL = _Share(0.07, 0.08)  # logarithm of a maker's C over that of ISO 281
+_STEEL = _Share(0.07, 0.08)  # logarithm of a manufacturer's C over that of ISO 281
 _STATIC = 44.0  # N/mm^2
 LEAST_SECTION, MOST_SECTION = 0.2, 0.8
 LEAST_LENGTH, MOST_LENGTH = 0.2, 0.95
 FEWEST_ROLLERS, FULLEST = 5, 0.995
 MOST_ANGLE = math.radians(45.0)
-MOST_FACTOR = 1.5  # of C over that of ISO 281, either way
-# The diameter is searched on so many steps, each round on two of the last.
+MOST_FACTOR = 1.5  # largest ratio of C to that of ISO 281, or of that to C
+# The diameter is searched in so many steps, in each round over two of the last steps.
 _STEPS, _ROUNDS = 40, 4
-_LARGEST_BORE = 1000.0  # mm, to which the normal group of ISO 5753-1 is tabulated
+_LARGEST_BORE = 1000.0  # mm: end of the table of the normal group of ISO 5753-1
 _IN_N = "check C and C0 of the catalogue: 44 kN are 44e3 N"
 _COUNT = "give the number of rollers, or leave it out"
 _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_factor"
@@ -83,20 +83,20 @@ _ANGLES = "give contact_angle in rad, or e as limiting_ratio, or Y as axial_fact
 
 @dataclass(frozen=True, repr=False)
 class CatalogueGuess:
-    """A bearing whose rollers are guessed from its dimensions and ratings.
+    """A bearing with rollers estimated from its dimensions and ratings.
 
     Attributes
     ----------
     bearing : RollerBearing
-        The most probable one.
+        The most probable bearing.
     sentences : tuple of str
-        What was guessed, and from what.
+        The estimates and their basis.
     dynamic, static : float
         C and C_0 of the catalogue [N], for `assess` and `rating`.
     rated : Rating
-        Ratings of the guessed bearing by the standards' formulas.
+        Ratings of the estimated bearing by the standards' formulas.
     rollers : tuple of int
-        Fewest and most rollers that are about as probable: within one of the least sum of squares.
+        Fewest and most rollers that are about as probable: their sum of squares exceeds the least one by at most 1.
     """
 
     bearing: RollerBearing
@@ -115,16 +115,16 @@ def _size(symbol: str, meaning: str) -> Quantity:
 
 
 def _raceway(symbol: str, ring: str) -> Quantity:
-    meaning = f"the {ring} raceway {symbol} of a cylindrical or needle bearing, which catalogues have for rings without"
+    meaning = f"the {ring} raceway {symbol} of a cylindrical or needle bearing, given in catalogues for rings without"
     remedy = f"give {symbol} of the catalogue in mm, or leave it out"
-    return Quantity("mm", f"{meaning} ribs; with both, rollers' diameter and pitch are not guessed", positive, remedy)
+    return Quantity("mm", f"{meaning} ribs; with both, rollers' diameter and pitch are not estimated", positive, remedy)
 
 
 @validate_call
 def from_catalogue(
     bore: Annotated[float, _size("d", "the bore, d")],
     outside_diameter: Annotated[float, _size("D", "the outside diameter, D")],
-    width: Annotated[float, _size("B", "the width B, of a tapered bearing T")],
+    width: Annotated[float, _size("B", "the width B; T for a tapered bearing")],
     dynamic: Annotated[float, Quantity("N", "the basic dynamic load rating C", positive, _IN_N)],
     static: Annotated[float, Quantity("N", "the basic static load rating C_0", positive, _IN_N)],
     *,
@@ -133,14 +133,16 @@ def from_catalogue(
     ] = "cylindrical",
     inner_raceway: Annotated[float | None, _raceway("F", "inner")] = None,
     outer_raceway: Annotated[float | None, _raceway("E", "outer")] = None,
-    contact_angle: Annotated[float | None, Quantity("rad", "of a tapered bearing", positive, _ANGLES)] = None,
+    contact_angle: Annotated[
+        float | None, Quantity("rad", "contact angle of tapered bearings", positive, _ANGLES)
+    ] = None,
     limiting_ratio: Annotated[
-        float | None, Quantity("", "the ratio e = 1.5 tan(alpha), in place of it", positive, _ANGLES)
+        float | None, Quantity("", "the ratio e = 1.5 tan(alpha), in place of the contact angle", positive, _ANGLES)
     ] = None,
     axial_factor: Annotated[
-        float | None, Quantity("", "the factor Y = 0.4 / tan(alpha), in place of it", positive, _ANGLES)
+        float | None, Quantity("", "the factor Y = 0.4 / tan(alpha), in place of the contact angle", positive, _ANGLES)
     ] = None,
-    rollers: Annotated[int | None, Count("how many there are, if known", FEWEST_ROLLERS, MOST_ROLLERS, _COUNT)] = None,
+    rollers: Annotated[int | None, Count("number of rollers, if known", FEWEST_ROLLERS, MOST_ROLLERS, _COUNT)] = None,
     roller_length: Annotated[
         float | None,
         Quantity("mm", "the rollers' effective length, if known", positive, "give L in mm"),
@@ -149,29 +151,30 @@ def from_catalogue(
         float | None,
         Quantity(
             "mm",
-            "radial, of a tapered bearing axial; if left out, the middle of the normal group of ISO 5753-1 for "
-            "cylindrical roller bearings, up to a bore of 1000 mm, and 0 for tapered ones, which are set when mounted",
+            "internal clearance, radial, or axial for a tapered bearing; if left out, the middle of the normal group "
+            "of ISO 5753-1 for cylindrical roller bearings, up to a bore of 1000 mm, and 0 for tapered ones, set when "
+            "mounted",
             finite,
             "give it in mm: 30 um are 0.03",
         ),
     ] = None,
 ) -> CatalogueGuess:
-    """Guess the inside of a roller bearing of one row from its dimensions and ratings.
+    """Estimate the internal geometry of a single-row roller bearing from its dimensions and load ratings.
 
     Returns
     -------
     CatalogueGuess
-        The bearing, with what was guessed in words.
+        The bearing, with the estimates in words.
 
     Raises
     ------
     InputError
-        If an argument is out of range, or no rollers that fit between the rings have such ratings.
+        If an argument is out of range, or no rollers that fit between the rings give such ratings.
 
     Notes
     -----
-    Rollers have the reference profile of ISO 16281 on their effective length, rings are straight and as deep as their
-    walls, all of steel. Rollers of a tapered bearing meet in one point with its raceways.
+    Rollers have the reference profile of ISO 16281 over their effective length; rings are straight, with their wall
+    thickness as depth; all parts are of steel. Rollers and raceways of a tapered bearing have a common apex.
 
     Examples
     --------
@@ -257,7 +260,7 @@ class _Sizes:
 
 @dataclass(frozen=True)
 class _Inside:
-    """Rollers in a bearing, with the length that is stated or that C_0 asks for."""
+    """Rollers in a bearing, with the length stated or required by C_0."""
 
     sizes: _Sizes
     rollers: int
@@ -286,7 +289,7 @@ class _Inside:
 
     @property
     def fits(self) -> bool:
-        """Whether rollers fit side by side, and between faces and rings."""
+        """Whether rollers fit side by side and between faces and rings."""
         beside = (
             self.pitch > self.diameter and self.rollers * math.asin(self.diameter / self.pitch) <= FULLEST * math.pi
         )
@@ -302,10 +305,10 @@ class _Inside:
 
     @property
     def misses(self) -> float:
-        """The sum of squares by which the bearing is unusual."""
+        """The sum of squared deviations from the usual proportions."""
         usual, sizes = self.sizes.usual, self.sizes
         return (
-            # Beyond what is refused it counts no more, so that a mistaken C does not change the bearing.
+            # Capped beyond the limit of refusal, so that a mistaken C does not change the bearing.
             _STEEL.misses(min(max(math.log(self.factor), -math.log(MOST_FACTOR)), math.log(MOST_FACTOR)))
             + usual.fill.misses(self.fill)
             + usual.section.misses(self.diameter / sizes.section)
@@ -314,7 +317,7 @@ class _Inside:
 
 
 def _find_most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
-    """Return the most probable inside, and the numbers of rollers that are about as probable."""
+    """Return the most probable rollers, and the range of numbers of rollers that are about as probable."""
     low, high = sizes.diameters
     least = min(sizes.pitch(low) - low, sizes.pitch(high) - high)
     most = min(MOST_ROLLERS, int(math.pi * (least + high) / low) + 1)
@@ -336,7 +339,7 @@ def _find_most_probable(sizes: _Sizes) -> tuple[_Inside, tuple[int, int]]:
 
 
 def _fit_rollers(sizes: _Sizes, rollers: int) -> _Inside | None:
-    """Return the most probable inside of a number of rollers, None if they do not fit."""
+    """Return the most probable geometry for a number of rollers, None if they do not fit."""
     low, high = sizes.diameters
     best: _Inside | None = None
     for _ in range(_ROUNDS):
@@ -350,7 +353,7 @@ def _fit_rollers(sizes: _Sizes, rollers: int) -> _Inside | None:
 
 
 def _build_bearing(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBearing:
-    """Return the bearing, whose rollers meet in one point with the raceways if they are tapered."""
+    """Return the bearing; tapered rollers have a common apex with the raceways."""
     diameter, length, pitch = inside.diameter, inside.length, inside.pitch
     known: dict[str, Any] = {"bore": sizes.bore, "outside_diameter": sizes.outside, "width": sizes.width}
     known |= {"rollers": inside.rollers, "clearance": clearance}
@@ -373,9 +376,9 @@ def _build_bearing(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBe
 
 
 def half_cone(share: float, angle: float) -> float:
-    """Return half of the rollers' cone angle [rad], of which the tangent is D_w / D_pw sin(alpha - half)."""
+    """Return half of the rollers' cone angle [rad], with the tangent D_w / D_pw sin(alpha - half)."""
     half = 0.0
-    for _ in range(60):  # each takes less than D_w / D_pw of the error along
+    for _ in range(60):  # each iteration keeps less than D_w / D_pw of the error
         half = math.atan(share * math.sin(angle - half))
     return half
 
@@ -413,7 +416,7 @@ def _angle(angles: Mapping[str, float | None]) -> float:
 def _sentences(
     sizes: _Sizes, inside: _Inside, rollers: tuple[int, int], clearance: float, usual_clearance: bool
 ) -> tuple[str, ...]:
-    """Return what was guessed."""
+    """Return the estimates in words."""
     raceways = [diameter for diameter in (sizes.inner_raceway, sizes.outer_raceway) if diameter is not None]
     of_pitch = (
         " and ".join(f"{diameter:g}" for diameter in raceways) + " mm at the raceways, which were given"

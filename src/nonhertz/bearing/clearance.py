@@ -1,16 +1,16 @@
-"""Operating clearance: what fits, temperatures and speed leave of the clearance that a bearing has unmounted.
+"""Operating clearance: internal clearance reduced by fits, temperatures and speed.
 
-Shaft, inner ring, outer ring and housing are plain rings of the diameters d_0 to d, d to F, E to D and D to D_H, with F
-and E of the raceways (`nonhertz.bearing.thick_rings`). A fit is pressed together if the parts, each by itself at its
-temperature and speed, would overlap: with the growths u of free parts and their compliances c = u / p,
+Shaft, inner ring, outer ring and housing are plain rings of the diameters d_0 to d, d to F, E to D and D to D_H, where
+F and E are the raceways (`nonhertz.bearing.thick_rings`). A fit has a pressure if the separate parts at their
+temperatures and speed would overlap: with the growths u of free parts and their compliances c = u / p,
 
     p = max(0, (I / 2 + u_inside - u_outside) / (c_inside + c_outside))        I: interference on the diameter
 
-where they meet, and a fit whose pressure falls to zero is lost: from there on both parts grow as free ones. Rings stay
-round and stress-free along the axis, whatever the width of seat and ring; ribs, chamfers and the load of the rollers on
-the rings are neglected, and so is how far they slip. The clearance is
+at the interface; a fit whose pressure falls to zero is lost, and both parts then grow freely. Rings stay round and
+stress-free along the axis, whatever the width of seat and ring; ribs, chamfers, the load of the rollers on the rings
+and slip are neglected. The clearance is
 
-    C = E - F - 2 D_w / cos(alpha)        each of them as it has grown.
+    C = E - F - 2 D_w / cos(alpha)        with all dimensions in operation.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ from nonhertz.model.materials import STEEL_EXPANSION, density_of, expansion_of
 
 def _of_seat(ring: str, of: type[Seat], classes: Iterable[str], example: str) -> Part:
     remedy = f"give a class such as '{example}', or make one with nonhertz.bearing.{of.__name__}"
-    meaning = f"the seat of the {ring} ring: its class alone, or a table"
+    meaning = f"the seat of the {ring} ring: a class, or a table"
     return Part(meaning, of, remedy, {name: of(fit=name) for name in classes})
 
 
@@ -62,7 +62,7 @@ _COLD = Assumed(f"ring at {REFERENCE:g} °C", IN_OPERATION)
 
 @input_class(kw_only=True)
 class Mounting(Input):
-    """Fits and temperatures, which leave the clearance that a bearing is solved with.
+    """Fits and temperatures, which determine the operating clearance of a bearing.
 
     Raises
     ------
@@ -71,9 +71,10 @@ class Mounting(Input):
 
     Notes
     -----
-    With one steel for all parts, fits alone give the formulas of bearing makers (recalled from NSK's technical report).
-    Of the interference, the inner raceway grows by k (1 - k_0^2) / (1 - k^2 k_0^2) with k = d / F and k_0 = d_0 / d;
-    the outer one shrinks by h (1 - h_0^2) / (1 - h^2 h_0^2) with h = E / D and h_0 = D / D_H.
+    With one steel for all parts, fits alone give the formulas of bearing manufacturers (recalled from NSK's technical
+    report). The inner raceway grows by k (1 - k_0^2) / (1 - k^2 k_0^2) times the interference, with k = d / F and
+    k_0 = d_0 / d; the outer raceway shrinks by h (1 - h_0^2) / (1 - h^2 h_0^2) times it, with h = E / D and
+    h_0 = D / D_H.
 
     References
     ----------
@@ -104,7 +105,7 @@ class Mounting(Input):
 
     @property
     def temperatures(self) -> dict[str, float]:
-        """Temperatures of all parts [degC], by name: those left out too."""
+        """Temperatures of all parts [degC], by name, including those left out."""
         inner, outer, rollers = self.inner_temperature, self.outer_temperature, self.roller_temperature
         return {
             "shaft.temperature": inner if self.shaft.temperature is None else self.shaft.temperature,
@@ -122,12 +123,12 @@ class Mounting(Input):
         bearing : RollerBearing
             The bearing.
         clearance : {"likely", "least", "greatest"}
-            At the mean of all limits, or at those limits of all that leave the least or the greatest clearance.
+            The mean of all limits, or the limits that give the least or the greatest clearance.
 
         Raises
         ------
         InputError
-            If a class is none for its size, or a diameter is missing.
+            If a class does not exist for a size, or a diameter is missing.
         """
         if not isinstance(bearing, RollerBearing) or bearing.radial_clearance is None:
             remedy = "give a cylindrical, needle, tapered or spherical one of one row"
@@ -155,29 +156,29 @@ class Mounting(Input):
             raise error.within(name) from None
 
     def operating(self, bearing: RollerBearing, speed: float = 0.0, clearance: str = "likely") -> OperatingClearance:
-        """Return what is left of the clearance of a bearing in operation, and what took how much of it.
+        """Return the operating clearance of a bearing, and its reduction by fits, temperatures and speed.
 
         Parameters
         ----------
         bearing : RollerBearing
-            The bearing, with the clearance that it has unmounted; of a tapered one its axial clearance counts as a
-            radial one of 2 tan(alpha) times as much.
+            The bearing, with its unmounted clearance; the axial clearance of a tapered bearing counts as a radial
+            clearance of 2 tan(alpha) times its value.
         speed : float
             Speed of inner ring and shaft [1/min]; outer ring and housing are at rest.
         clearance : {"likely", "least", "greatest"}
-            Which of what classes allow, as in `at`.
+            Value within the limits of classes, as in `at`.
 
         Raises
         ------
         InputError
-            If the speed is out of range, a seat does not fit the rings, a class is none for its size, or a warm part's
-            expansion or a turning part's density is neither given nor known.
+            If the speed is out of range, a seat does not fit the rings, a class does not exist for a size, or the
+            expansion of a warm part or the density of a turning part is neither given nor known.
         """
         mounting, row = self.at(bearing, clearance)
         return mounting._operating(row, speed)
 
     def ranges(self, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
-        """Return between which limits classes leave interferences and clearance of a row.
+        """Return the limits of interferences and clearance of a row by their classes.
 
         Parameters
         ----------
@@ -187,7 +188,7 @@ class Mounting(Input):
         Raises
         ------
         InputError
-            As `operating`.
+            As for `operating`.
         """
         least, likely, greatest = (self.operating(bearing, speed, limit) for limit in Range.AT)
         shaft, housing = self._interferences(bearing)
@@ -209,7 +210,7 @@ class Mounting(Input):
         )
 
     def _operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
-        """Return what is left of a clearance that is a number by fits that are."""
+        """Return the operating clearance from clearance and fits that are numbers."""
         unmounted = bearing.clearance_range.likely * _radial(bearing)
         not_negative("speed", speed, "give that of the inner ring in 1/min")
         of_shaft = _density("shaft.density", self.shaft.density, self.shaft.material, speed)
@@ -242,26 +243,26 @@ class Mounting(Input):
         )
 
     def expansion(self, bearing: RollerBearing | Paired) -> float:
-        """Return by how much temperatures widen the axial clearance between rows of rollers.
+        """Return the increase of the axial clearance between rows of rollers by temperatures.
 
         Parameters
         ----------
         bearing : RollerBearing or Paired
-            The rows. What lies between their inner rings has the temperature and the expansion of these, and what lies
-            between the outer ones theirs.
+            The rows. Spacers between their inner rings have the temperature and the expansion of these; likewise
+            between the outer rings.
 
         Returns
         -------
         float
-            What is to be added to the `clearance` of the pair [mm]: in O expansion times difference of temperatures
-            times distance, in X minus that, and nothing in tandem, where one row gains what the other loses, nor of a
-            single row.
+            Amount to be added to the `clearance` of the pair [mm]: for O expansion times difference of temperatures
+            times distance, for X minus that; zero in tandem, where one row gains what the other loses, and for a single
+            row.
         """
         if isinstance(bearing, RollerBearing):
             return 0.0
         if not isinstance(bearing, Paired):
             raise InputError("bearing", bearing, "be a bearing", "make one with nonhertz.bearing")
-        # Where the inner ring moves towards the side to which a row holds it, away from its rollers.
+        # Positive where the inner ring moves in the direction in which a row locates it, away from its rollers.
         apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
         row = bearing.bearings[0]
         inner = _strain("ring_expansion", self.ring_expansion, row.inner.material, self.inner_temperature)
@@ -277,7 +278,7 @@ class Mounting(Input):
         *,
         method: Literal["strips", "slices"] = "strips",
     ) -> RollerBearing | Paired:
-        """Return a bearing with what is left of its clearance; rows of a pair have the same seats, and move apart warm.
+        """Return a bearing with its operating clearance; rows of a pair have the same seats, and expand apart if warm.
 
         Parameters
         ----------
@@ -286,12 +287,12 @@ class Mounting(Input):
         speed, clearance
             As in `operating`.
         method : {"strips", "slices"}
-            By which the clearance for a preload is found, with rows mounted, at 20 degC and at rest.
+            Method by which the clearance for a preload is found, with rows mounted, at 20 degC and at rest.
 
         Raises
         ------
         InputError
-            As `operating`, or if what is left is not a clearance that a bearing can have.
+            As for `operating`, or if the operating clearance is out of range.
         """
         one_of("method", method, ("strips", "slices"), "name one of both")
         if isinstance(bearing, Paired):
@@ -306,7 +307,7 @@ class Mounting(Input):
         return self._row(bearing, speed, clearance)
 
     def _cold(self, row: RollerBearing, clearance: str) -> RollerBearing:
-        """Return a row that is mounted, at 20 degC and at rest."""
+        """Return a row mounted, at 20 degC and at rest."""
         return replace(row, clearance=self.operating(row, 0.0, clearance).mounted / _radial(row))  # type: ignore[call-arg]
 
     def _row(self, row: RollerBearing, speed: float, clearance: str) -> RollerBearing:
@@ -319,7 +320,7 @@ class Mounting(Input):
             raise InputError(name, value, f"leave a clearance: {um(play):.4g} must {error.condition}", remedy) from None
 
     def _taker(self, loss: OperatingClearance, speed: float) -> tuple[str, Any, str]:
-        """Return the input that takes most of the clearance, its value, and what to do about it."""
+        """Return the input that reduces the clearance most, its value, and the remedy."""
         warmth = self.temperatures
         furthest = max(warmth, key=lambda part: abs(warmth[part] - REFERENCE))
         takers = {
@@ -359,7 +360,7 @@ def _density(name: str, density: float | None, material: Material, speed: float)
 
 
 def clearance_ranges(fit: Mounting | None, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
-    """Return what `Mounting.ranges` does, or without fits the clearance of a bearing that keeps it."""
+    """Return the same as `Mounting.ranges`; without fits, the clearance of the bearing itself."""
     if fit is not None:
         return fit.ranges(bearing, speed)
     unmounted = bearing.clearance_range.scaled(_radial(bearing))
@@ -367,5 +368,5 @@ def clearance_ranges(fit: Mounting | None, bearing: RollerBearing, speed: float 
 
 
 def _radial(bearing: RollerBearing) -> float:
-    """Return how much larger the radial clearance of a row is than the one in its own way."""
+    """Return the ratio of a row's radial clearance to the clearance by which it is given."""
     return 2.0 * math.tan(bearing.nominal_angle) if isinstance(bearing, TaperedRollerBearing) else 1.0

@@ -1,7 +1,7 @@
 """Rollers between rings in equilibrium: the motion of the inner ring under given forces, moments and displacements.
 
-The core finds the balance; its method is explained in ``src/core/bearing/balance.hpp`` and docs/explain/equilibrium.md.
-Here rollers and their contacts are put together for it, and the states that it returns are arrays.
+The core solves the balance; its method is explained in ``src/core/bearing/balance.hpp`` and
+docs/explain/equilibrium.md. This module assembles rollers and contacts for it, and returns the states as arrays.
 """
 
 from __future__ import annotations
@@ -24,28 +24,28 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.int64]
 
-# What may be left of the balance of the ring, over the loads: strips are exact to 1e-11.
+# Permitted residual of the balance of the ring, over the loads: strips are exact to 1e-11.
 TOLERANCE = 1e-9
 STEPS = 80
 NO_TILT = 1e-12  # rad: a tilt below this is rounding
-NO_LOAD = 1e-8  # of the largest: what is left of the balance of a roller that has lifted off
-EDGE = 1e-5  # mm, a motion far below what rollers and raceways depart from their shapes
+NO_LOAD = 1e-8  # of the largest load: residual of the balance of a roller that has lifted off
+EDGE = 1e-5  # mm: a motion far below the form errors of rollers and raceways
 
 
 class States(NamedTuple):
     """States of a bearing, a row each."""
 
     ring: Array  # motion of the inner ring, (states, 5)
-    force: Array  # forces and moments on it that hold it there, (states, 5)
+    force: Array  # forces and moments on it in equilibrium, (states, 5)
     stiffness: Array  # d(force) / d(ring), (states, 5, 5)
-    residual: Array  # what is left of the balance of ring and rollers, over the loads, (states,)
+    residual: Array  # residual of the balance of ring and rollers, over the loads, (states,)
     steps: Indices  # Newton steps of the ring, (states,)
     motion: Array  # of the rollers along x and r [mm] and about the tangent [rad], (states, rollers, 3)
     pose: Array  # approach and tilt of their contacts [mm, rad], (states, rollers, columns, 2)
-    answer: Array  # what contacts answer, (states, rollers, columns, ANSWER)
+    answer: Array  # results of the contact laws, (states, rollers, columns, ANSWER)
 
     def portion(self, which: slice | Indices) -> States:
-        """Return some of the states, which may be filled in if they are a slice."""
+        """Return some of the states; a slice is a view that can be filled."""
         parts: list[Any] = [values[which] for values in self]
         return States(*parts)
 
@@ -55,7 +55,7 @@ class States(NamedTuple):
         return self.answer[..., 0]
 
     def converged(self, tolerance: float) -> Flags:
-        """Return which states are balanced, their loads and motions finite."""
+        """Return which states are in balance with finite loads and motions."""
         numbers = np.column_stack([self.ring, self.force, self.load.reshape(len(self.ring), -1)])
         settled: Flags = (self.residual <= tolerance) & np.all(np.isfinite(numbers), axis=1)
         return settled
@@ -63,13 +63,13 @@ class States(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """One contact of every roller of a row; those of a roller with the same `core.GroupLaw` are asked together."""
+    """One contact of every roller of a row; contacts with the same `core.GroupLaw` are evaluated together."""
 
-    inner: bool  # whether the other body is the inner ring, which moves; the outer one is at rest
+    inner: bool  # whether the other body is the inner ring, which moves; the outer ring is at rest
     motion: Array  # approach and tilt per motion of ring against roller, shape (2, 3)
-    gap: Array  # what the approach of a centred ring and roller is short of contact [mm], (rollers of the row,)
+    gap: Array  # gap between a centred ring and roller [mm], (rollers of the row,)
     law: ContactLaw
-    column: int  # which of a roller's contacts it is, from 0
+    column: int  # index of the contact among a roller's, from 0
     first: int = 0  # the number of the row's first roller
 
     @property
@@ -119,31 +119,31 @@ def solve_balance(
     motion: Array | None = None,
     threads: int = 1,
 ) -> States:
-    """Return the states in which ring and rollers are in balance.
+    """Return the states of equilibrium of ring and rollers.
 
     Parameters
     ----------
     system : System
         The rollers.
     by_force : ndarray of bool, shape (5,)
-        For which motions of the ring the force or moment is given; for the others, the displacement or rotation.
+        Whether the force or moment is given for each motion of the ring, rather than the displacement or rotation.
     target : ndarray, shape (states, 5)
-        What is given.
+        The given values.
     start : ndarray, shape (states, 5)
-        Motions of the ring to begin with.
+        Initial motions of the ring.
     depth : float
-        A penetration of the size to be expected [mm].
+        Expected size of penetrations [mm].
     tolerance : float
-        What may be left of the balance of the ring, over the loads; less is asked of rollers.
+        Permitted residual of the balance of the ring, over the loads; it is larger for rollers.
     motion : ndarray, shape (states, rollers, 3), optional
-        Motions of the rollers to begin with; if left out or NaN, those that equal springs would give them.
+        Initial motions of the rollers; if left out or NaN, those by equal springs.
     threads : int
-        How many may work on many states at once, where no law is asked for many contacts.
+        Number of threads for many states, used where no law evaluates many contacts at once.
 
     Raises
     ------
     InputError
-        If a profile is NaN where a contact by strips reaches.
+        If a profile is NaN within a contact by strips.
     ConvergenceError
         If a contact has no solution by strips.
     """
@@ -156,29 +156,29 @@ def solve_balance(
         raise no_solution_error(error) from None
     except core.Refused as refused:  # of contacts on strips
         raise refusal_in_words(refused, math.nan, (math.nan, math.nan)) from None
-    assert states is not None  # nobody stops it but by a signal, whose exception passes
+    assert states is not None  # only a signal stops it, whose exception propagates
     return States(*states)
 
 
 def find_edge_rollers(system: System, state: States) -> tuple[Indices, Array]:
-    """Return the rollers that stand at the edge of the load zone, and what a small motion of the ring finds.
+    """Return the rollers at the edge of the load zone, and the stiffness by a small motion of the ring.
 
-    A roller that just touches both rings without load has no part in the derivatives of the forces, and bears as soon
-    as the ring moves towards it.
+    A roller that just touches both rings without load does not contribute to the derivatives of the forces, but carries
+    load as soon as the ring moves towards it.
 
     Parameters
     ----------
     system : System
         The rollers.
     state : States
-        One of them.
+        One state.
 
     Returns
     -------
     ndarray of int
-        Those that bear no load, but do where the ring moves by `EDGE` along x, y or z.
+        Rollers without load that are loaded if the ring moves by `EDGE` along x, y or z.
     ndarray, shape (3,)
-        The change of force over such a motion, to the side on which it is larger [N/mm]; NaN if there are none.
+        The change of force over such a motion, in the direction in which it is larger [N/mm]; NaN if there are none.
     """
     load, overlap = state.load[0, :, 0], state.answer[0, :, :2, OVERLAP].sum(axis=1)
     floor, depth = NO_LOAD * float(load.max()), max(EDGE, float(overlap.max()))
@@ -195,9 +195,9 @@ def find_edge_rollers(system: System, state: States) -> tuple[Indices, Array]:
 
 
 def drop_rounding(values: Array, weights: Array, beside: float = 0.0) -> list[float]:
-    """Return numbers, zero for what is rounding beside the others, or beside what they are a difference of.
+    """Return numbers, with zero for rounding errors relative to the others, or to the terms of their difference.
 
-    Weights make those of several units comparable.
+    Weights make numbers of different units comparable.
     """
     rounded: list[float] = without_rounding(values, weights, beside).tolist()
     return rounded
@@ -210,5 +210,5 @@ def without_rounding(values: Array, weights: Array, beside: float = 0.0) -> Arra
 
 
 def drop_tilt_rounding(tilt: Array) -> Array:
-    """Return tilts [rad], zero for those that are rounding."""
+    """Return tilts [rad], with zero for rounding errors."""
     return np.where(np.abs(tilt) > NO_TILT, tilt, 0.0)

@@ -4,25 +4,27 @@ Every model of `nonhertz.life` gives the probability that a body survives N pass
 
     ln(1/S) = A N^e 2 pi r I        I = int int <s - s_u>^k / z^h dz dy
 
-with the integral I over its cross-section. At the ring that turns against the load every point sees all Z rollers, and
-the share that each has in the damage adds up as Miner says, station by station along the rollers; at the ring that
-stands still the part of the circumference below a roller sees that roller alone:
+with the integral I over its cross-section. At the ring that rotates relative to the load every point passes all Z
+rollers, and their damage adds up by Miner's rule, station by station along the rollers; at the ring that is stationary
+relative to the load the part of the circumference below a roller is loaded by that roller only:
 
     turning ring     I = int (mean_j i_j^(1/e))^e dy        i = int <s - s_u>^k / z^h dz
     standing ring    I = mean_j I_j
 
-With s ~ q these are the means of the powers 4 and 9/2 of ISO/TS 16281. A roller sees all loads in turn, and in each of
-its own revolutions once the inner and once the outer ring. Per revolution of a ring, with gamma = D cos(alpha) / D_pw,
+With s ~ q these are the means with the powers 4 and 9/2 of ISO/TS 16281. A roller passes all loads in turn, and in each
+of its own revolutions once the inner and once the outer ring. Per revolution of a ring, with gamma = D cos(alpha) /
+D_pw,
 
     passes     inner ring Z (1 + gamma) / 2    outer ring Z (1 - gamma) / 2    roller D_pw (1 - gamma^2) / (2 D), twice
     length     pi D_pw (1 - gamma)             pi D_pw (1 + gamma)             pi D, of Z rollers
 
-The constant A is such that a ring lasts 10^6 revolutions when every roller loads it with its dynamic capacity, spread
-evenly: that is what the capacity means. So by Lundberg and Palmgren's model a bearing whose pressures are even has
-the L10r of ISO/TS 16281, and models with other exponents or a limit meet them at the capacity. ISO 281 gives a capacity
-to each ring; the constants from both are the same within 0.3 %, which shows that the passes are counted as Lundberg and
-Palmgren did. That of rollers is the inner ring's. Lives of several bodies are put together as Weibull says,
-L = (sum L_i^(-e))^(-1/e). ISO 281 attributes all failures to the rings: compare its lives with those of the rings.
+The constant A is such that a ring has a life of 10^6 revolutions when every roller loads it with its dynamic capacity,
+uniformly along its length: that is the definition of the capacity. With Lundberg and Palmgren's model a bearing with
+uniform pressures thus has the L10r of ISO/TS 16281, and models with other exponents or a limit agree at the capacity.
+ISO 281 gives a capacity for each ring; the constants from both agree within 0.3 %, which shows that passes are counted
+as Lundberg and Palmgren did. For rollers the inner ring's constant is used. Lives of several bodies are combined by
+Weibull's rule, L = (sum L_i^(-e))^(-1/e). ISO 281 attributes all failures to the rings: compare its lives with those
+of the rings.
 """
 
 from __future__ import annotations
@@ -55,20 +57,20 @@ from nonhertz.result.read_only import ReadOnly
 from nonhertz.result.solution import Solution
 
 Array = NDArray[np.float64]
-#: What is seen at each roller of a row; nothing where it is not loaded.
+#: Exposures at each roller of a row; None where it is not loaded.
 Seen = Sequence[Exposure | None]
 
 BODIES, TOGETHER = ("inner ring", "outer ring", "rollers"), ("both rings", "rings and rollers")
 FIELDS = ("sections", "whole")
-# Over a half-width, by how much of itself the pressure may change for sections to do, and how much of the damage may be
-# where it changes by more.
+# Largest relative change of the pressure over a half-width for which sections suffice, and permitted fraction of the
+# damage where it changes by more.
 _STEEP, _MOST_STEEP = 0.3, 0.05
 _LEAST = 1e-3  # of the largest pressure
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class VolumeLife(HasFindings, ReadOnly, HasHtml):
-    """How long rings and rollers last by a model of the stressed volume, with 90 % reliability [10^6 revolutions].
+    """Lives of rings and rollers by a model of the stressed volume, with 90 % reliability [10^6 revolutions].
 
     Attributes
     ----------
@@ -77,9 +79,9 @@ class VolumeLife(HasFindings, ReadOnly, HasHtml):
     of_rows : ndarray, shape (rows, 3)
         Values for the inner ring, the outer ring and the rollers of each row.
     even : ndarray, shape (rows, 3)
-        The same if every contact had Hertz's line contact, its load spread evenly over its length.
+        The same if every contact were Hertz's line contact, with its load uniform over its length.
     findings : tuple of Finding
-        What limits the validity.
+        Limits of the validity.
     """
 
     model: VolumeModel
@@ -114,7 +116,7 @@ class VolumeLife(HasFindings, ReadOnly, HasHtml):
 
     @property
     def relative_life(self) -> float:
-        """Life of rings and rollers over that with the same loads spread evenly [-]; NaN if both are infinite."""
+        """Life of rings and rollers over the life with uniform line loads [-]; NaN if both are infinite."""
         even = self._combine(self.even)
         return self.bearing / even if math.isfinite(even) else (math.nan if math.isinf(self.bearing) else 0.0)
 
@@ -128,7 +130,7 @@ class VolumeLife(HasFindings, ReadOnly, HasHtml):
             f"{self.model.name}, in million revolutions",
             ", ".join(f"{name} {format_digits(life, 4)}" for name, life in zip(BODIES, lives, strict=True)),
             f"rings {format_digits(self.rings, 4)}, with rollers {format_digits(self.bearing, 4)}: "
-            f"{format_digits(self.relative_life, 3)} of that under even loads",
+            f"{format_digits(self.relative_life, 3)} of that under uniform loads",
             *warning_lines(self.warnings),
         ]
         return plain_text("VolumeLife", lines)
@@ -141,36 +143,36 @@ def volume_life(
     field: str = "sections",
     dynamic: float | None = None,
 ) -> VolumeLife:
-    """Return how long rings and rollers of a bearing last, from the stress in their volume.
+    """Return the lives of a bearing's rings and rollers from the stress in their volume.
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing, solved by strips.
     model : VolumeModel or str
-        A model of `nonhertz.life`, or its name: Lundberg and Palmgren's, Ioannides and Harris's, Zaretsky's, Weibull's
-        or your own.
+        A volume model of `nonhertz.life`, or its name: Lundberg and Palmgren's, Ioannides and Harris's, Zaretsky's,
+        Weibull's or your own.
     field : {"sections", "whole"}
-        ``"sections"``: from cross-sections in plane strain, within seconds. ``"whole"``: the stress below the whole
-        contact, as in `nonhertz.life.exposure`, a minute for each contact of another load. Hollow rollers take that of
-        the whole contact in either case, since their walls bend.
+        ``"sections"``: from cross-sections in plane strain, within seconds. ``"whole"``: from the stress below the
+        whole contact, as in `nonhertz.life.exposure`, a minute for each contact of different load. Hollow rollers
+        always use the whole contact, since their walls bend.
     dynamic : float, optional
-        C of a catalogue [N], for which rows must be alike, in place of that of ISO 281's formula.
+        C of a catalogue [N], which replaces that of ISO 281; rows must then be equal.
 
     Raises
     ------
     InputError
-        If the bearing was solved by slices or isn't of bearing steel, or there is no such model.
+        If the bearing was solved by slices or is not of bearing steel, or there is no such model.
 
     Notes
     -----
-    Lives are those of 90 % of bearings, without lubrication and dirt. The capacities with which they are calibrated are
-    those of `rating`, with b_m and free of the 0.83, lambda nu, for uneven line loads.
+    Lives have a reliability of 90 %, without the effect of lubrication and contamination. They are calibrated with the
+    capacities of `rating`, which include b_m but not the factor 0.83, lambda nu, for uneven line loads.
 
-    By models of orthogonal shear, as Lundberg and Palmgren's, lives by ``"sections"`` are within 1 % of those of the
-    whole field, also where the pressure peaks at a corner; with a fatigue limit that is nearly reached, within a factor
-    of 1.6. By models of other stresses they are up to a quarter too long where the pressure is smooth, and too short by
-    a factor of two and more at such a peak; a warning says so.
+    With models of orthogonal shear, such as Lundberg and Palmgren's, lives by ``"sections"`` are within 1 % of those by
+    the whole field, also where the pressure peaks at a corner; with a fatigue limit that is nearly reached, within a
+    factor of 1.6. With models of other stresses they are up to a quarter too long where the pressure is smooth, and too
+    short by a factor of two and more at such a peak, about which a warning is issued.
 
     Examples
     --------
@@ -199,7 +201,7 @@ def volume_life(
         of_rows.append(calibrated.lives(seen, turning))
         even.append(calibrated.lives(list(map(_spread_evenly, seen)), turning))
         distinct += _distinct(chain(*seen))
-    # Of orthogonal shear sections know what is nearby.
+    # For orthogonal shear, sections include the effect of nearby ones.
     knows = field != "sections" or chosen.stress == "orthogonal_shear"
     steep = 0.0 if knows else max((_steep(exposure, chosen) for exposure in distinct), default=0.0)
     stress = chosen.stress.replace("_", " ")
@@ -222,21 +224,21 @@ def _model_of(model: VolumeModel | str) -> VolumeModel:
 def _findings(ends: set[SingularEnd], steep: float, stress: str) -> Iterator[Finding]:
     if ends:
         words = (
-            "The damage grows without limit towards {ends}: nothing was counted near there, so lives are upper bounds."
+            "The damage grows without limit towards {ends}: the volume near it was left out, so lives are upper bounds."
         )
         yield finding("damage-at-ends", words, ends=ends_in_words(ends))
     if steep > _MOST_STEEP:
         yield finding(
             "steep-pressure",
             "{share:.0f} % of the damage below a contact is where the pressure changes by more than {limit:g} % over a "
-            f"half-width: sections overestimate {stress} there; use field = 'whole'.",
+            f"half-width and sections overestimate {stress}: use field = 'whole'.",
             share=100.0 * steep,
             limit=100.0 * _STEEP,
         )
 
 
 def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Seen]:
-    """Return what is seen of every roller by both rings, and then what the roller sees at both."""
+    """Return the exposures of both rings at every roller, followed by those of the roller at both rings."""
     evaluate = cache(section_exposure if field == "sections" else exposure)
 
     def seen(contact: Solution | None, body: BodyName) -> Exposure | None:
@@ -247,17 +249,17 @@ def _exposures(solution: BearingSolution, rollers: range, field: str) -> list[Se
 
 
 def _distinct(seen: Iterable[Exposure | None]) -> list[Exposure]:
-    """Return what is seen, once where it is the same for several rollers."""
+    """Return the distinct exposures: those common to several rollers once."""
     return list(dict.fromkeys(exposure for exposure in seen if exposure is not None))
 
 
 def _spread_evenly(seen: Seen) -> list[Exposure | None]:
-    """Return what would be seen of the same loads without ends, tilts and profiles."""
+    """Return the exposures under the same loads without ends, tilts and profiles."""
     return [None if exposure is None else exposure.reference for exposure in seen]
 
 
 def _steep(seen: Exposure, chosen: VolumeModel) -> float:
-    """Return the share of a contact's damage that is done where the pressure is steep along it."""
+    """Return the fraction of a contact's damage where the pressure is steep along it."""
     pressure = seen.shear.max(axis=1)
     pressure = np.maximum(pressure, _LEAST * pressure.max())
     changes = np.abs(np.gradient(pressure, seen.y)) * seen.half_width / pressure
@@ -266,7 +268,7 @@ def _steep(seen: Exposure, chosen: VolumeModel) -> float:
 
 
 class Calibration:
-    """A row's dynamic capacities, and what a million revolutions under them do by a model."""
+    """A row's dynamic capacities, and the damage of a million revolutions under them by a model."""
 
     def __init__(self, row: RollerBearing, rated: Rating, chosen: VolumeModel) -> None:
         self._row, self._model, self._slope = row, chosen, chosen.slope
@@ -281,18 +283,18 @@ class Calibration:
             damages.append(under.damage(chosen))
         self._damages = np.array(damages)
         if not np.all(self._damages > 0.0):
-            condition = "do damage at the dynamic capacity: its fatigue limit is above all stresses there"
+            condition = "cause damage at the dynamic capacity: its fatigue limit is above all stresses there"
             raise InputError("model", chosen.name, condition, "give a lower fatigue limit")
 
     def constants(self) -> Array:
-        """Return A, but for a factor, from the capacity of either ring."""
+        """Return A, up to a common factor, from the capacity of each ring."""
         factors: Array = 1.0 / (self._passes**self._slope * self._around * self._damages)
         return factors
 
     def lives(self, seen: Sequence[Seen], turning: int) -> Array:
         """Return the lives of inner ring, outer ring and rollers [10^6 revolutions]."""
         rings = [
-            # Contacts with a ring at rest have each their own part of its circumference.
+            # Each contact with a stationary ring has its own part of the circumference.
             self._passing_damage([seen[k]])
             if k == turning
             else np.mean([0.0 if exposure is None else exposure.damage(self._model) for exposure in seen[k]])
@@ -303,7 +305,7 @@ class Calibration:
         return np.array([*of_rings, self._life(of_rollers * self._passing_damage(seen[2:]))])
 
     def _passing_damage(self, passes: Sequence[Seen]) -> float:
-        """Return the damage of contacts that pass over the same points, the mean over rollers, the sum over passes."""
+        """Return the damage of contacts that pass over the same points: mean over rollers, sum over passes."""
         every = [seen for contacts in passes for seen in contacts if seen is not None]
         known = {seen: (seen.y, seen.density(self._model), seen.damage(self._model)) for seen in _distinct(every)}
         loaded = [known[seen] for seen in every if known[seen][2] > 0.0]
@@ -313,12 +315,12 @@ class Calibration:
         total = np.zeros(stations.size)
         for y, density, damage in loaded:
             on_stations = np.interp(stations, y, density, left=0.0, right=0.0)
-            # On other stations it is to add up to the same damage.
+            # Interpolated to other stations, it must add up to the same damage.
             scale = damage / np.trapezoid(on_stations, stations) if stations.size > 1 else 1.0
             total += (on_stations * scale) ** (1.0 / self._slope)
         together = (total / len(passes[0])) ** self._slope
         if stations.size == 1:
-            # The length over which an even density adds up to its damage.
+            # The length over which a uniform density adds up to the damage.
             return float(together[0] * loaded[0][2] / loaded[0][1][0])
         return float(np.trapezoid(together, stations))
 

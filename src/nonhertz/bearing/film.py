@@ -1,8 +1,8 @@
-"""The film of oil between rollers and rings, along every contact.
+"""Oil film thickness between rollers and rings, along every contact.
 
-With the viscosity eta at atmospheric pressure, its pressure coefficient alpha, the line load q, the mean u of both
-surfaces' speeds against the contact, the combined radius R across it, and 2 / E' = (1 - nu_a^2) / E_a + (1 - nu_b^2) /
-E_b, films of fully flooded lines at one temperature are functions of
+With the viscosity eta at atmospheric pressure, its pressure coefficient alpha, the line load q, the entrainment speed u
+(mean of both surfaces' speeds relative to the contact), the combined radius R across it, and 2 / E' = (1 - nu_a^2) /
+E_a + (1 - nu_b^2) / E_b, films of fully flooded, isothermal line contacts are functions of
 
     U = eta u / (E' R)        G = alpha E'        W = q / (E' R)
 
@@ -14,11 +14,10 @@ and of ellipses of the ellipticity k = a / b, from 1 to 8, with W = Q / (E' R^2)
     h_min / R = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
     h_c / R = 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k))                                   (Hamrock, Dowson)
 
-Along a roller each place is taken as that of a line with its own q, R and u: what flows along the contact is neglected,
-so that right at its ends films are thinner than these. A contact that is an ellipse within that range has the film of
-an ellipse. Surfaces roll without sliding in the middle of the roller (`nonhertz.bearing.kinematics`); elsewhere speeds
-are those of the radii from both axes, which on cones that meet in a point are the same, and on barrels and between
-washers are not.
+Each position along a roller is treated as a line contact with its own q, R and u: flow along the contact is neglected,
+so that films right at its ends are thinner than calculated. An elliptical contact within that range has the film of an
+ellipse. Surfaces roll without sliding in the middle of the roller (`nonhertz.bearing.kinematics`); elsewhere speeds
+follow from the radii from both axes: equal for cones with a common apex, different for barrels and between washers.
 
 The film parameter lambda is h_min over the root of the sum of both Rq^2.
 
@@ -61,11 +60,11 @@ FILM_QUANTITIES: Final[dict[str, Quantity]] = attributes(
     ("least_film", "least film of every roller at the inner and outer ring, by Pan and Hamrock", "mm"),
     ("central_film", "central film there", "mm"),
     ("line_film", "least film there by Dowson and Higginson", "mm"),
-    ("least_film_y", "where it is along the roller", "mm"),
+    ("least_film_y", "its position along the roller", "mm"),
     ("entrainment", "mean of both surfaces' speeds there", "mm/s"),
 )
 MOST_ELLIPTIC = 8.0
-# Of the mean over the largest line load of an ellipse, 2/3, by how much that of a contact that is one may differ.
+# Permitted relative deviation of mean over largest line load from 2/3, that of an ellipse.
 _LIKE_ELLIPSE = 0.03
 
 
@@ -99,15 +98,15 @@ class ContactFilm(ShortRepr):
     ring : {"inner", "outer"}
         Which ring.
     rollers : tuple of int
-        Whose contacts these are: rollers on both sides of a load have the same.
+        The rollers with this contact: rollers on both sides of a load have the same film.
     y, line_load : ndarray
         Places along the rollers' profiles [mm], and the load per length there [N/mm].
     least_film, central_film : ndarray
-        Films [mm] of a line by Pan and Hamrock, of an ellipse by Hamrock and Dowson.
+        Minimum and central film [mm]: by Pan and Hamrock for a line, by Hamrock and Dowson for an ellipse.
     line_film : ndarray
-        The least one of a line by Dowson and Higginson [mm].
+        Minimum film of a line by Dowson and Higginson [mm].
     entrainment, sliding : ndarray
-        Mean of both surfaces' speeds, and that of the ring less that of the roller [mm/s].
+        Mean of both surfaces' speeds, and speed of the ring minus that of the roller [mm/s].
     elliptic : bool
         Whether the film is that of an ellipse.
     """
@@ -138,7 +137,7 @@ class Films(ShortRepr, HasHtml):
     lubrication : Lubrication
         Its oil.
     contacts : tuple of ContactFilm
-        The films along all loaded contacts, those of several rollers once.
+        The films along all loaded contacts; those common to several rollers once.
     """
 
     solution: BearingSolution
@@ -153,7 +152,7 @@ class Films(ShortRepr, HasHtml):
 
     @property
     def central_film(self) -> Array:
-        """The central film at the place of the least one [mm], shape (rollers, 2)."""
+        """The central film where the least film is [mm], shape (rollers, 2)."""
         return self._at_least("central_film")
 
     @property
@@ -163,7 +162,7 @@ class Films(ShortRepr, HasHtml):
 
     @property
     def least_film_y(self) -> Array:
-        """Where along the roller it is least [mm], shape (rollers, 2)."""
+        """Position of the least film along the roller [mm], shape (rollers, 2)."""
         return self._at_least("y")
 
     @property
@@ -198,7 +197,7 @@ class Films(ShortRepr, HasHtml):
 
     @property
     def rib_sliding(self) -> Array:
-        """How fast the rollers' ends slide on ribs of each ring that may bear loads [mm/s], shape (2,); NaN without."""
+        """Sliding speed of the rollers' ends on load-supporting ribs of each ring [mm/s], shape (2,); NaN without."""
         speeds, motion = np.full(len(RINGS), np.nan), self.kinematics
         for rib in self.solution.bearing.rows[0].bearing.rib_contacts:
             speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
@@ -232,7 +231,7 @@ def films(
     solution : BearingSolution
         The loaded bearing.
     speed : float, optional
-        Speed of the ring that turns [1/min]; if left out, that at which the bearing was solved.
+        Speed of the turning ring [1/min]; if left out, the speed at which the bearing was solved.
     lubrication : Lubrication
         The oil.
     laminae : int
@@ -264,14 +263,14 @@ def films(
         )
     bearing = solution.bearing.rows[0].bearing
     motion = bearing.kinematics(**{f"{solution.turning}_speed": speed})
-    count = whole("laminae", laminae, FEWEST, MOST, "give the number of laminae, 41 say")
+    count = whole("laminae", laminae, FEWEST, MOST, "give the number of laminae, such as 41")
     oil = lubrication.dynamic_viscosity, lubrication.pressure_coefficient or 0.0
     along = _along_strips(solution) if solution.method == "strips" else _along_slices(solution, count)
     return Films(solution, motion, lubrication, tuple(_film(loaded, motion, *oil) for loaded in along))
 
 
 def surface_speeds(bearing: RollerBearing, ring: int, motion: Kinematics, y: Array) -> tuple[Array, Array]:
-    """Return the speeds of a raceway and of the rollers on it along the contact, against the contact [mm/s]."""
+    """Return the speeds of a raceway and of the rollers on it, relative to the contact and along it [mm/s]."""
     sense, angle, inclined = (-1.0, 1.0)[ring], bearing.contact_angles[ring], 0.5 * sum(bearing.contact_angles)
     narrows = 0.5 * (bearing.contact_angles[1] - bearing.contact_angles[0])
     relief = bearing.contacts[ring].a.relief_at(y)
@@ -310,7 +309,7 @@ def _along_slices(solution: BearingSolution, laminae: int) -> Iterator[_Loaded]:
 
 
 def _ellipticity(solved: Solution) -> float | None:
-    """Return length over width of a contact that is an ellipse; None if it is none."""
+    """Return length over width of an elliptical contact; None for other contacts."""
     (low, high), *others = solved.contact_y
     ends = solved.contact.land
     mean = solved.load / (high - low) / float(solved.line_load.max())

@@ -1,9 +1,9 @@
-"""Classes as limits: of seats by ISO 286, of bores and outside diameters by ISO 492, of clearances by ISO 5753-1.
+"""Limits by classes: seats by ISO 286, bores and outside diameters by ISO 492, clearances by ISO 5753-1.
 
-A class keeps a size between two limits. Between them sizes are taken as normal, six standard deviations from limit to
-limit, and those of different parts as independent: a sum of them has its mean in the middle of its limits, and its
-three standard deviations are the root of the sum of squares of those of its parts. SKF's tables of fits have that as
-probable interference, which these numbers are, rounded outwards; the manual of MESYS has it as probable clearance.
+A class keeps a size between two limits. Sizes are assumed to be normally distributed, with six standard deviations
+between the limits, and independent for different parts: the mean of a sum is in the middle of its limits, and its three
+standard deviations are the root of the sum of squares of those of its parts. SKF's tables of fits list this as probable
+interference, which these numbers reproduce, rounded outwards; the manual of MESYS calls it probable clearance.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ _MICROMETRES: Final = 1e-3  # mm
 _CLASS: Final = re.compile(r"([A-Za-z]+?)(\d+)")
 _SHAFTS: Final = ("e", "f", "g", "h", "j", "js", "k", "m", "n", "p", "r", "s")
 _HOLES: Final = ("E", "F", "G", "H", "J", "JS", "K", "M", "N", "P")
-#: Grades of classes that have them only there: ISO 286-1 gives others none, or another deviation.
+#: Classes that exist only in these grades: for others ISO 286-1 has no deviation, or a different one.
 _GRADES: Final = {
     "j": (5, 6, 7), "J": (6, 7, 8), "K": (5, 6, 7, 8), "M": (5, 6, 7, 8), "N": (5, 6, 7, 8),
 }  # fmt: skip
 _EVERY_GRADE: Final = range(5, 11)
-_OF_K: Final = 7  # the finest grades, up to which shafts k lie above their size
-#: Up to this grade the upper deviations of holes lie higher by the step to it from the grade before.
+_OF_K: Final = 7  # up to this grade shafts k lie above their size
+#: Up to this grade the upper deviations of holes are raised by the step from the previous grade.
 _STEPPED: Final = {"K": 8, "M": 8, "N": 8, "P": 7}
-_M6: Final = (6, 250.0, 315.0, -9.0)  # ISO 286-1: the one hole that does not follow from its shaft
+_M6: Final = (6, 250.0, 315.0, -9.0)  # ISO 286-1: the only hole that does not follow from its shaft
 #: All classes of shafts and of housings that have limits.
 SHAFTS: Final = tuple(f"{letter}{grade}" for letter in _SHAFTS for grade in _GRADES.get(letter, _EVERY_GRADE))
 HOUSINGS: Final = tuple(f"{letter}{grade}" for letter in _HOLES for grade in _GRADES.get(letter, _EVERY_GRADE))
 TOLERANCE_CLASSES: Final = ("Normal", "6", "6X", "5")
 CLEARANCE_GROUPS: Final = ("C2", "CN", "C3", "C4", "C5")
-#: Table of the clearance groups of each kind of bearing.
+#: Tables of the clearance groups by kind of bearing.
 _GROUPED: Final = {"cylindrical": "cylindrical", "needle": "cylindrical", "spherical": "spherical"}
 
 
@@ -64,12 +64,12 @@ class Range:
 
     @classmethod
     def between(cls, least: float, greatest: float) -> Range:
-        """Return a number that a class keeps between limits."""
+        """Return a number between the limits of a class."""
         return cls(least, 0.5 * (least + greatest), greatest, 0.5 * (greatest - least))
 
     @classmethod
     def exactly(cls, value: float) -> Range:
-        """Return a number that is known."""
+        """Return a range of a single known number."""
         return cls(value, value, value)
 
     @property
@@ -83,12 +83,12 @@ class Range:
         return self.least == self.greatest
 
     def at(self, clearance: str = "likely") -> float:
-        """Return the ``"least"``, ``"likely"`` or ``"greatest"``."""
+        """Return the ``"least"``, ``"likely"`` or ``"greatest"`` value."""
         one_of("clearance", clearance, self.AT, "name one of the three")
         return float(getattr(self, clearance))
 
     def scaled(self, factor: float) -> Range:
-        """Return the range of a number that is ``factor`` times as large, above zero."""
+        """Return the range times a positive factor."""
         return Range(*(factor * value for value in (self.least, self.likely, self.greatest, self.spread)))
 
     def __neg__(self) -> Range:
@@ -103,12 +103,12 @@ class Range:
 
 
 def seat_limits(fit: str, size: float) -> Range:
-    """Return the deviations that a tolerance class of ISO 286 allows a seat.
+    """Return the deviations of a seat by a tolerance class of ISO 286.
 
     Parameters
     ----------
     fit : str
-        The class: of shafts ``"k5"``, say, with e to s, of holes ``"H7"``, with E to P; grades 5 to 10.
+        The class: for shafts such as ``"k5"``, from e to s; for holes such as ``"H7"``, from E to P; grades 5 to 10.
     size : float
         Nominal diameter [mm], up to 500.
 
@@ -132,7 +132,7 @@ def seat_limits(fit: str, size: float) -> Range:
     letter, grade = (match[1], int(match[2])) if match else ("", 0)
     if letter not in (*_SHAFTS, *_HOLES):
         condition = f"be a tolerance class of ISO 286: one of {', '.join(_SHAFTS)} or {', '.join(_HOLES)} and a grade"
-        raise InputError("fit", fit, condition, "write 'k5' for a shaft or 'H7' for a housing, say")
+        raise InputError("fit", fit, condition, "write for example 'k5' for a shaft or 'H7' for a housing")
     grades = _GRADES.get(letter, _EVERY_GRADE)
     if grade not in grades:
         condition = f"have one of the grades {grades[0]} to {grades[-1]}, for which {letter} is tabulated"
@@ -171,16 +171,16 @@ def _of_hole(letter: str, grade: int, size: float) -> float:
 
 
 def ring_limits(ring: str, size: float, tolerance_class: str = "Normal", *, tapered: bool = False) -> Range:
-    """Return the deviations that ISO 492 allows the mean bore of an inner ring, or outside diameter of an outer one.
+    """Return the deviations of an inner ring's mean bore, or an outer ring's mean outside diameter, by ISO 492.
 
     Parameters
     ----------
     ring : {"inner", "outer"}
-        Which of both.
+        Which ring.
     size : float
         Nominal bore or outside diameter [mm].
     tolerance_class : {"Normal", "6", "6X", "5"}
-        Class of the bearing; ``"6"`` is not that of a tapered one, ``"6X"`` only of such.
+        Class of the bearing; ``"6"`` does not exist for tapered bearings, ``"6X"`` only for these.
     tapered : bool
         Whether it is a tapered roller bearing.
 
@@ -208,14 +208,14 @@ def ring_limits(ring: str, size: float, tolerance_class: str = "Normal", *, tape
 
 
 def check_class(tolerance_class: str, *, tapered: bool) -> None:
-    """Refuse a tolerance class that ISO 492 has not, or not of tapered bearings, or of these alone."""
+    """Refuse a tolerance class that ISO 492 does not have for this kind of bearing."""
     classes = tuple(name for name in TOLERANCE_CLASSES if name != ("6" if tapered else "6X"))
     kind = "tapered" if tapered else "other"
     one_of("tolerance_class", tolerance_class, classes, f"these are the classes of {kind} bearings in ISO 492")
 
 
 def clearance_limits(group: str, bore: float, kind: str = "cylindrical") -> Range:
-    """Return the radial internal clearance of a group of ISO 5753-1, of an unmounted bearing with a cylindrical bore.
+    """Return the radial internal clearance of an unmounted bearing with a cylindrical bore by its ISO 5753-1 group.
 
     Parameters
     ----------
@@ -224,7 +224,7 @@ def clearance_limits(group: str, bore: float, kind: str = "cylindrical") -> Rang
     bore : float
         Nominal bore [mm].
     kind : {"cylindrical", "needle", "spherical"}
-        What rollers it has.
+        Kind of its rollers.
 
     Returns
     -------
@@ -242,7 +242,7 @@ def clearance_limits(group: str, bore: float, kind: str = "cylindrical") -> Rang
     >>> c3.least, round(c3.likely, 4), c3.greatest
     (0.035, 0.0475, 0.06)
     """
-    one_of("kind", kind, tuple(_GROUPED), "groups are those of radial roller bearings that are not tapered")
+    one_of("kind", kind, tuple(_GROUPED), "only radial roller bearings other than tapered ones have groups")
     one_of("clearance", group, CLEARANCE_GROUPS, "give a group of ISO 5753-1, or the clearance in mm")
     table = _GROUPED[kind]
     return _between(*_at(f"iso5753.{table}", group, bore, "bore"))
@@ -266,7 +266,7 @@ def _at(place: str, name: str, size: float, field: str = "size") -> Any:
 
 @cache
 def _tables() -> dict[str, Any]:
-    import tomllib  # classes are rare, and this is no part of every start
+    import tomllib  # imported here: classes are rare
 
     return tomllib.loads(Path(__file__).with_name("classes.toml").read_text("utf-8"))
 

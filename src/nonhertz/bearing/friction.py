@@ -5,20 +5,21 @@ After Palmgren, with the mean d_m of bore d and outside diameter D, the kinemati
     M_0 = f_0 10^-7 (nu n)^(2/3) d_m^3        or f_0 160 10^-7 d_m^3 for nu n below 2000 mm^2/s /min
     M_1 = f_1 P_1 d_m
 
-in N mm, by the series and the lubrication (friction.toml). P_1 is F_r of cylindrical and needle bearings, F_a of thrust
-ones, the larger of F_r and 2 Y F_a of a tapered row, Y = 0.4 cot(alpha), and of spherical bearings with e = 1.5
-tan(alpha) F_r (1 + 0.6 (F_a / (e F_r))^3) up to F_a = e F_r, and 1.6 F_a / e above.
+in N mm, with factors by series and lubrication (friction.toml). P_1 is F_r for cylindrical and needle bearings; F_a for
+thrust bearings; the larger of F_r and 2 Y F_a for a tapered row, Y = 0.4 cot(alpha); and for spherical bearings, with
+e = 1.5 tan(alpha), F_r (1 + 0.6 (F_a / (e F_r))^3) up to F_a = e F_r, and 1.6 F_a / e above.
 
-All this is empirical: catalogues say that torques may differ considerably. What ribs of cylindrical bearings rub under
-axial loads, M_2 = f_2 F_a d_m, has an f_2 that is published as a chart alone, "subject to wide scatter"; it is left out
-and said. So are seals and what oil does on a vertical shaft.
+These formulas are empirical: catalogues state that torques may differ considerably. The friction of ribs of cylindrical
+bearings under axial loads, M_2 = f_2 F_a d_m, is left out, with a remark, since f_2 is published only as a chart,
+"subject to wide scatter". So are seals and the effect of oil on a vertical shaft.
 
-The thermal speed rating of ISO 15312:2003 and 2018 is the speed at which M_0 + M_1 is the heat that leaves the seats,
+The thermal speed rating of ISO 15312:2003 and 2018 is the speed at which the heat of M_0 + M_1 equals the heat that
+leaves the seats,
 
     q pi B (D + d), with q = 0.016 W/mm^2, or 0.016 (A / 50000 mm^2)^-0.34 for a larger area A
 
 (thrust bearings: 0.020 W/mm^2, exponent -0.16, A = pi (D^2 - d^2) / 2), in an oil bath with 12 mm^2/s (thrust 24) at
-70 degC, 20 degC around, under 0.05 C_0r (thrust 0.02 C_0a).
+70 degC, in surroundings of 20 degC, under 0.05 C_0r (thrust 0.02 C_0a).
 
 References
 ----------
@@ -45,7 +46,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.result.brief import HasHtml
 
 _OIL, _GREASE = 0, 1
-_SLOW: Final = 2000.0  # nu n [mm^2/s /min] below which M_0 is that at rest
+_SLOW: Final = 2000.0  # nu n [mm^2/s /min] below which M_0 is constant
 _AREA: Final = 50000.0  # mm^2, above which the heat flow density falls
 
 
@@ -87,9 +88,9 @@ def thermal_speed(
     Parameters
     ----------
     f0, f1 : float
-        In an oil bath, and under the reference load.
+        Factors in an oil bath, and under the reference load.
     bore, outside_diameter, width : float
-        d, D and B (T of tapered bearings) [mm].
+        d, D and B (T for tapered bearings) [mm].
     static : float
         C_0 [N].
     thrust : bool
@@ -131,9 +132,9 @@ class Friction(HasHtml):
     speed_torque, load_torque : float
         M_0 and M_1 [N mm].
     speed : float
-        [1/min].
-    axial : float
-        Axial load on ribs of cylindrical rollers [N], whose M_2 is not in the torque.
+        Speed [1/min].
+        axial : float
+            Axial load on ribs of cylindrical bearings [N], whose friction M_2 is not included in the torque.
     """
 
     speed_torque: float
@@ -148,14 +149,14 @@ class Friction(HasHtml):
 
     @property
     def power(self) -> float:
-        """The power that it takes [W]."""
+        """Power loss [W]."""
         return power(self.torque, self.speed)
 
 
 def friction(
     solution: BearingSolution, *, speed: float, viscosity: float, static: float, grease: bool = False
 ) -> Friction | None:
-    """Return torque and power loss of a loaded bearing; None where nothing is published for it.
+    """Return torque and power loss of a loaded bearing; None where no factors are published for it.
 
     Parameters
     ----------
@@ -164,7 +165,7 @@ def friction(
     speed : float
         Speed of the turning ring [1/min].
     viscosity : float
-        That of the oil or the grease's base oil in the bearing [mm^2/s].
+        Viscosity of the oil, or of the grease's base oil, in the bearing [mm^2/s].
     static : float
         C_0 [N].
     grease : bool
@@ -196,7 +197,7 @@ def reference_speed(bearing: RollerBearing | Paired, static: float) -> float | N
 
 
 def of_series(bearing: RollerBearing | Paired) -> tuple[RollerBearing, dict[str, Any]]:
-    """Return a row and its factors; none of other numbers of rows than catalogues have: one, or two of barrels."""
+    """Return a row and its factors; no factors for numbers of rows not in catalogues: one, or two for barrels."""
     row = bearing.rows[0].bearing
     usual = 2 if isinstance(row, SphericalRollerBearing) else 1
     return row, row.of_series if len(bearing.rows) == usual else {}

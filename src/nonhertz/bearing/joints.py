@@ -1,4 +1,4 @@
-"""Two rings, one pressed into the other: of a bearing, its rings with shaft and housing."""
+"""Two rings, one pressed into the other: a bearing's rings with shaft and housing."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ from nonhertz.errors import InputError
 
 @dataclass(frozen=True)
 class Joint:
-    """Two rings, one in the other, of which one is the bearing's."""
+    """Two rings, one inside the other; one of them is the bearing's."""
 
     inside: ThickRing
     outside: ThickRing
     interference: float
     on_shaft: bool
-    strains: tuple[float, float] = (0.0, 0.0)  # thermal, of what lies inside and outside
+    strains: tuple[float, float] = (0.0, 0.0)  # thermal strains of the inside and the outside part
     speed: float = 0.0  # of both [rad/s]
 
     @property
     def radius(self) -> float:
-        """Where they meet [mm]."""
+        """Radius of the interface [mm]."""
         return self.inside.outer
 
     def parting(self, *, pressure: float = 0.0, speed: float = 0.0) -> float:
-        """Return how far the faces of both parts move apart on the radius under a pressure [MPa] or a speed [rad/s]."""
+        """Return the radial distance by which the interface opens under a pressure [MPa] or a speed [rad/s]."""
         outside = self.outside.growth(self.radius, inside=pressure, speed=speed)
         return outside - self.inside.growth(self.radius, outside=pressure, speed=speed)
 
     @property
     def overlap_at_rest(self) -> float:
-        """By how much the parts would overlap on the radius, each by itself and at rest [mm]."""
+        """Radial overlap of the separate parts at rest [mm]."""
         return 0.5 * self.interference + self.radius * (self.strains[0] - self.strains[1])
 
     @property
@@ -53,7 +53,7 @@ class Joint:
 
     @property
     def loads(self) -> dict[str, float]:
-        """What loads the bearing's ring."""
+        """Loads on the bearing's ring."""
         return {"inside" if self.on_shaft else "outside": self.pressure, "speed": self.speed}
 
     @property
@@ -63,12 +63,12 @@ class Joint:
 
     @property
     def raceway(self) -> float:
-        """By how much the diameter of the bearing's raceway has grown [mm]."""
+        """Growth of the diameter of the bearing's raceway [mm]."""
         radius, strain = self.raceway_radius, self.strains[1 if self.on_shaft else 0]
         return 2.0 * (self.ring.growth(radius, **self.loads) + strain * radius)
 
     def describe(self, mounted_pressure: float, temperature_step: float) -> InterferenceFit:
-        """Return pressures and stresses, beside the pressure when mounted [MPa] and the step of temperature [K]."""
+        """Return pressures and stresses, with the pressure when mounted [MPa] and the temperature step [K]."""
         parting, at_rest = self.parting(speed=1.0), self.overlap_at_rest
         loosening = 0.0 if at_rest <= 0.0 else math.inf
         if at_rest > 0.0 and self.on_shaft and parting > 0.0:
@@ -86,16 +86,16 @@ class Joint:
 def fits_of(
     bearing: RollerBearing, shaft: Shaft, housing: Housing, densities: tuple[float, float]
 ) -> tuple[Joint, Joint]:
-    """Return inner ring on shaft, and outer ring in housing, cold and at rest; the densities are of shaft and ring."""
+    """Return inner ring on shaft, and outer ring in housing, cold and at rest, from densities of shaft and ring."""
     inner, outer = (abs(float(ring.diameter)) for ring in (bearing.inner, bearing.outer))  # type: ignore[arg-type]
     assert shaft.diameter is not None
     assert housing.diameter is not None
     if shaft.diameter >= inner:
-        condition = f"be less than that of the inner raceway of {mm(inner):g}"
+        condition = f"be less than the diameter of the inner raceway, {mm(inner):g}"
         raise InputError("shaft.diameter", shaft.diameter, condition, "give the bore of the inner ring in mm")
     if housing.diameter <= outer:
-        condition = f"exceed that of the outer raceway of {mm(outer):g}"
-        raise InputError("housing.diameter", housing.diameter, condition, "give that around the outer ring in mm")
+        condition = f"exceed the diameter of the outer raceway, {mm(outer):g}"
+        raise InputError("housing.diameter", housing.diameter, condition, "give the bearing's outside diameter in mm")
     seat, bore = 0.5 * shaft.diameter, 0.5 * housing.diameter
     on_shaft = (
         ThickRing(0.5 * shaft.bore, seat, shaft.material, densities[0]),

@@ -1,13 +1,13 @@
-"""How fast cage and rollers turn, and how often a place of a ring or a roller is rolled over.
+"""Speeds of cage and rollers, and over-rolling frequencies of rings and rollers.
 
 Rollers roll on both rings without sliding, at least in the middle of their length. With the speeds n_i and n_e of the
-rings, the roller's diameter D, that of the pitch circle d and the contact angle alpha
+rings, the roller diameter D, the pitch diameter d and the contact angle alpha,
 
     n_c = [n_i (1 - g) + n_e (1 + g)] / 2        n_r = (n_e - n_i) (1 - g^2) d / (2 D)        g = D cos(alpha) / d
 
-are the speeds of the cage, and of a roller about its own axis against the cage. Z rollers pass a place of a ring with
-Z |n - n_c|, and a place of a roller meets the rings with 2 |n_r|. Real rollers slide a little, most where few of them
-bear load, so that measured frequencies are lower by some per cent.
+are the speeds of the cage, and of a roller about its own axis relative to the cage. Z rollers pass a point of a ring at
+the rate Z |n - n_c|, and a point of a roller meets the rings at 2 |n_r|. Real rollers slide slightly, most where few of
+them are loaded, so that measured frequencies are lower by some per cent.
 
 References
 ----------
@@ -26,7 +26,7 @@ from nonhertz.inputs.checks import finite
 from nonhertz.result.brief import HasHtml
 
 PER_MINUTE: Final = math.pi / 30.0  # rad/s of 1/min
-_SPEED = "give the speed of the ring in 1/min, negative the other way round"
+_SPEED = "give the speed of the ring in 1/min, negative for the opposite direction"
 
 
 def cage_speed(inner: float, outer: float, ratio: float) -> float:
@@ -48,9 +48,9 @@ class Kinematics(HasHtml):
     inner_speed, outer_speed : float
         Speeds of the rings [1/min].
     cage_speed : float
-        That of the cage, and of the rollers about the bearing's axis [1/min].
+        Speed of the cage, and of the rollers about the bearing's axis [1/min].
     roller_speed : float
-        That of a roller about its own axis, against the cage [1/min]; positive as those of the rings.
+        Speed of a roller about its own axis relative to the cage [1/min]; positive in the same direction as the rings.
     rollers : int
         Number of rollers.
     """
@@ -63,27 +63,27 @@ class Kinematics(HasHtml):
 
     @property
     def inner_frequency(self) -> float:
-        """How often rollers pass a place of the inner ring [Hz]; BPFI."""
+        """Frequency at which rollers pass a point of the inner ring [Hz]; BPFI."""
         return self.rollers * abs(self.inner_speed - self.cage_speed) / 60.0
 
     @property
     def outer_frequency(self) -> float:
-        """How often rollers pass a place of the outer ring [Hz]; BPFO."""
+        """Frequency at which rollers pass a point of the outer ring [Hz]; BPFO."""
         return self.rollers * abs(self.outer_speed - self.cage_speed) / 60.0
 
     @property
     def roller_frequency(self) -> float:
-        """How often a place of a roller meets a ring [Hz]: twice in a turn, which is 2 BSF."""
+        """Frequency at which a point of a roller meets a ring [Hz]: twice per revolution, 2 BSF."""
         return abs(self.roller_speed) / 30.0
 
     @property
     def shaft_frequency(self) -> float:
-        """Revolutions in a second of the inner ring, or of the outer one if it turns alone [Hz]; orders are over it."""
+        """Rotational frequency of the inner ring, or of the outer one if only it turns [Hz], to which orders refer."""
         return abs(self.inner_speed or self.outer_speed) / 60.0
 
 
 def rolling(rollers: int, size: float, ratio: float, inner_speed: float, outer_speed: float) -> Kinematics:
-    """Return the kinematics of a number of rollers, of D / d, g, and the speeds of the rings [1/min].
+    """Return the kinematics for a number of rollers, D / d, g, and the speeds of the rings [1/min].
 
     Raises
     ------

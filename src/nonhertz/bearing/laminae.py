@@ -2,17 +2,17 @@
 
     L10r = {sum_k [(q_ei / q_ci)^(9/2) + (q_ee / q_ce)^(9/2)]}^(-8/9)     over the laminae k of all rows,
 
-q_e being the mean over the rollers of the row of (f q)^4 to the power 1/4 at the ring that turns against the load, and
-that of the power 9/2 at the one that does not; q_c = Q_c n^(-7/9) is the capacity of a lamina. The load on the bearing
-that would load all as this lamina is,
+q_e being the mean over the rollers of the row of (f q)^4 to the power 1/4 at the ring that rotates relative to the
+load, and the mean with the power 9/2 at the other ring; q_c = Q_c n^(-7/9) is the capacity of a lamina. The bearing
+load that would load all laminae like this one,
 
     P_k = 0.323 i Z cos(alpha) n {[q_ei^(9/2) + (r q_ee)^(9/2)] / [1 + r^(9/2)]}^(2/9)        r = 1.038 q_ci / q_ce,
 
-gives it a factor a_ISO, to the power 9/8 of which its damage is divided. P_k is from one program, which has a single
-row; the number of rows i is added here, since C_u is that of all rows together.
+gives it a factor a_ISO; its damage is divided by a_ISO^(9/8). P_k is from one program, for a single row; the number of
+rows i is added here, since C_u refers to all rows together.
 
-Towards a sharp end the pressure grows as s^-0.226 for steel on steel, and (p^2)^(9/2), the damage, as s^-2: its sum has
-no limit, and there is no such life by pressures.
+Towards a sharp end the pressure grows as s^-0.226 for steel on steel, and the damage (p^2)^(9/2) as s^-2: its sum
+diverges, and no life by pressures exists.
 """
 
 from __future__ import annotations
@@ -37,24 +37,24 @@ _WORST_FACTOR = 0.1
 
 
 def singular_ends(solution: BearingSolution) -> set[SingularEnd]:
-    """Return the ends of loaded contacts towards which the pressure has no limit."""
+    """Return the ends of loaded contacts at which the pressure is singular."""
     return {end for contact in solution.distinct_contacts for end in contact.solved.singular_ends}
 
 
 def lamina_means(solution: BearingSolution, laminae: int, edge_stress: str, turning: str) -> list[Array]:
-    """Return q_e of every lamina [N] of both rings, shape (2, laminae), for each row."""
+    """Return q_e of every lamina [N] at both rings, shape (2, laminae), for each row."""
     effective = _effective_loads(solution, laminae, edge_stress)
     return [mean_over_rollers(effective[row.rollers], turning) for row in solution.bearing.rows]
 
 
 def mean_over_rollers(effective: Array, turning: str) -> Array:
-    """Return the mean over rollers of loads of shape (rollers, 2, laminae), by the power of each ring."""
+    """Return the mean over rollers of loads of shape (rollers, 2, laminae), with the power of each ring."""
     powers = [TURNING if ring == turning else STANDING for ring in RINGS]
     return np.array([np.mean(effective[:, k] ** power, axis=0) ** (1.0 / power) for k, power in enumerate(powers)])
 
 
 def lamina_life(rated: Rating, means: list[Array], factors: list[Array] | None = None) -> float:
-    """Return the life [10^6 revolutions] of rows of laminae, which may last longer by factors."""
+    """Return the life [10^6 revolutions] of rows of laminae, with optional life factors."""
     damage = 0.0
     for number, loads in enumerate(means):
         count = loads.shape[1]
@@ -81,7 +81,7 @@ def life_factors(
 def _factor_at(kappa: float, limit: float, load: float) -> float:
     if load <= 0.0:
         return MOST_FACTOR
-    # Without a limit there is nothing that lubrication can do.
+    # Without a fatigue limit lubrication has no effect.
     return life_factor(kappa, limit / load) if limit > 0.0 else _WORST_FACTOR
 
 

@@ -1,7 +1,7 @@
-"""How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
+"""Contact laws of rollers: load, moment, their derivatives and the overlap as functions of approach and tilt.
 
-Slices and maps are asked for one contact at a time; any other law, such as strips, which are laid and solved, for the
-contacts of many rollers at once.
+Slices and maps are evaluated for one contact at a time; any other law, such as strips, for the contacts of many rollers
+at once.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.int64]
 
-#: Numbers of an answer: load [N], moment [N mm], their four derivatives by approach and tilt, and by how much the
-#: undeformed bodies overlap where they do most, negative where they are apart [mm].
+#: Number of results of a law: load [N], moment [N mm], their four derivatives by approach and tilt, and the largest
+#: overlap of the undeformed bodies [mm], negative where they are apart.
 ANSWER = 7
 OVERLAP = 6
 
@@ -29,14 +29,14 @@ OVERLAP = 6
 class Slices:
     """Independent slices whose load is a power of their penetration.
 
-    A contact in a point, whose load does not depend on the tilt, is a single slice at y = 0.
+    A point contact, whose load does not depend on the tilt, is a single slice at y = 0.
 
     Parameters
     ----------
     y, relief : ndarray, shape (slices,)
-        Where the slices are, and how far the bodies are apart there [mm].
+        Positions of the slices, and separation of the bodies there [mm].
     stiffness : float
-        Load of a slice of a penetration of 1 mm [N].
+        Load on a slice at a penetration of 1 mm [N].
     exponent : float
         The power.
 
@@ -59,23 +59,23 @@ class Slices:
 
 @dataclass(frozen=True, eq=False)
 class MapLaw:
-    """How a contact answers by its map, which goes on in straight lines beyond its range."""
+    """A contact law by a map, which is continued linearly beyond its range."""
 
     map_: ContactMap
 
     def covers(self, approach: Array, tilt: Array) -> Flags:
-        """Return which approaches and tilts the map holds."""
+        """Return which approaches and tilts lie in the range of the map."""
         states = core.map_states(self.map_.table, False, approach, tilt)
         inside: Flags = states[:, 7] != 0.0
         return inside
 
 
-#: Those of `core.GroupLaw` are asked for the contacts of many rollers at once.
+#: A `core.GroupLaw` is evaluated for the contacts of many rollers at once.
 ContactLaw = Slices | MapLaw | core.GroupLaw
 
 
 def for_core(law: ContactLaw) -> core.Slices | core.MapLaw | core.GroupLaw:
-    """Return a law as the core asks it."""
+    """Return a law in the form used by the core."""
     if isinstance(law, Slices):
         return core.Slices(law.y, law.relief, float(law.stiffness), float(law.exponent))
     return core.MapLaw(law.map_.table) if isinstance(law, MapLaw) else law

@@ -1,12 +1,14 @@
-"""What makers publish as limits of bearings: axial load on ribs, least load, hoop stress of rings; speed by ISO 15312.
+"""Published limits of bearings: axial load on ribs, minimum load, hoop stress of rings; speed by ISO 15312.
 
-Each is a comparison with its source. Ribs of cylindrical bearings bear axial loads continuously, for brief periods of
-some 1000 turns twice, and in occasional peaks three times, up to the least of (SKF 2018)
+Each is a comparison with its source. The permissible continuous axial load on ribs of cylindrical bearings, twice
+which is allowed for brief periods of some 1000 revolutions and three times in occasional peaks, is the least of
+(SKF 2018)
 
     0.5 F_r        0.0045 kN D^1.5 of series 2, or 0.0023 kN D^1.7        k_1 10^4 C_0 / (n (d + D)) - k_2 F_r
 
-where C_0 becomes 7.5 C_0^(2/3), in kN, if pi B (d + D) exceeds 50000 mm^2; with a viscosity ratio of 2, tilted by one
-minute of arc at most, and heat that leaves with 0.5 mW/mm^2. By another maker (HR 1, 2006) it is, in N,
+where C_0 becomes 7.5 C_0^(2/3), in kN, if pi B (d + D) exceeds 50000 mm^2; it holds for a viscosity ratio of 2, a
+misalignment of at most one minute of arc, and a heat flow of 0.5 mW/mm^2. By another manufacturer (HR 1, 2006) it is,
+in N,
 
     k_S k_B d_m^1.5 n^-0.6        at most 0.075 k_B d_m^2.1 and 0.4 F_r
 
@@ -45,11 +47,11 @@ _LUBRICATION: Final = {  # k_1, k_2 by (full complement, grease)
     (False, False): (1.5, 0.15), (False, True): (1.0, 0.1), (True, False): (1.0, 0.3), (True, True): (0.5, 0.15),
 }  # fmt: skip
 _UNPROTECTED: Final = 0.4  # kappa
-_LEAST_LOAD: Final = 0.02  # of C; of spherical bearings 0.01 of C_0
+_LEAST_LOAD: Final = 0.02  # of C; for spherical bearings 0.01 of C_0
 
 
 class Limit(NamedTuple):
-    """A comparison with a limit: whether it is met, None where it is not known, and the sentence."""
+    """A comparison with a limit: whether it is met, None where not known, and the sentence."""
 
     met: bool | None
     finding: Finding
@@ -67,7 +69,7 @@ def rib_limit_skf(
     full: bool = False,
     grease: bool = False,
 ) -> tuple[float, float, float]:
-    """Return the axial loads [N] that ribs bear continuously by the radial load, the flanges' strength, and heat.
+    """Return the permissible continuous axial loads on ribs [N] by radial load, strength of the ribs, and heat.
 
     Parameters
     ----------
@@ -76,11 +78,11 @@ def rib_limit_skf(
     bore, outside_diameter, width : float
         d, D and B [mm].
     speed : float
-        [1/min].
-    series : str
+        Speed [1/min].
+        series : str
         Dimension series.
     full, grease : bool
-        Whether it has no cage, and grease in place of oil.
+        Whether it is full-complement (without a cage), and lubricated by grease.
 
     Examples
     --------
@@ -101,7 +103,7 @@ def rib_limit_skf(
 def rib_limit_schaeffler(
     factor: float, *, radial: float, mean_diameter: float, speed: float, lubrication: float = SUMP
 ) -> float:
-    """Return the axial load [N] that ribs bear continuously, by HR 1.
+    """Return the permissible continuous axial load on ribs [N] by HR 1.
 
     Parameters
     ----------
@@ -133,7 +135,7 @@ def limits(
     grease: bool = False,
     viscosity_ratio: float | None = None,
 ) -> tuple[Limit, ...]:
-    """Return the comparisons of a loaded bearing with limits that makers publish.
+    """Return the comparisons of a loaded bearing with limits published by manufacturers.
 
     Parameters
     ----------
@@ -148,7 +150,7 @@ def limits(
     grease : bool
         Whether it is lubricated by grease.
     viscosity_ratio : float or None
-        kappa, if it is known.
+        kappa, if known.
     """
     checks = [*_rings(clearance), *_preload(solution)]
     if rating is not None:
@@ -167,7 +169,7 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     row = solution.bearing.rows[0].bearing
     sizes: dict[str, Any] = {name: getattr(row, name) for name in ("series", "bore", "outside_diameter", "width")}
     if what := _missing_for_ribs(sizes, len(solution.bearing.rows)):
-        words = "Whether ribs bear the axial load of {load:4} is not judged: {what}."
+        words = "Whether ribs support the axial load of {load:4} is not judged: {what}."
         yield Limit(None, finding("rib-limit", words, load=newton(axial), what=what))
         return
     full = bool(row.of_series.get("full"))
@@ -175,7 +177,7 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     reasons = "half the radial load", "the strength of ribs", "the heat on ribs"
     least = int(np.argmin(by))
     met = axial <= by[least]
-    words = "Ribs bear {load:4} along the axis; {reason} allows {limit:4} for long, twice that briefly (SKF 2018"
+    words = "The axial load on ribs is {load:4}; {reason} permits {limit:4} continuously, twice briefly (SKF 2018"
     words += "{where}{other})."
     where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {format_digits(ratio, 3)}"
     other = ""
@@ -188,22 +190,22 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
 
 
 def _missing_for_ribs(sizes: dict[str, Any], rows: int) -> str:
-    """Return what makers' rules for ribs want that a bearing does not have; empty if nothing."""
+    """Return the data missing for manufacturers' rules for ribs; empty if none."""
     missing = [name for name, size in sizes.items() if size is None]
     if missing:
         return f"give bearing.{', '.join(missing)}"
-    return "makers' rules are those of single rows" if rows > 1 else ""
+    return "manufacturers' rules apply to single rows" if rows > 1 else ""
 
 
 def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:
     row, load = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0]
-    # Preload, which P leaves out, keeps rollers from skidding too.
+    # Preload, which P does not include, also prevents skidding.
     if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing) or _is_preloaded(solution.bearing):
         return
     spherical = isinstance(row, SphericalRollerBearing)
     least = 0.01 * rating.static if spherical else _LEAST_LOAD * rating.dynamic
     rule, met = "0.01 C0" if spherical else "0.02 C", load >= least
-    words = "The load P of {load:4} is {state} {least:4}, {rule}, the least against skidding (SKF 2018)."
+    words = "The load P of {load:4} is {state} {least:4}, {rule}, the minimum load against skidding (SKF 2018)."
     state = "at least" if met else "less than"
     amounts = {"load": newton(load), "least": newton(least)}
     yield Limit(met, finding("least-load", words, **amounts, state=state, rule=rule))
@@ -225,8 +227,8 @@ def _speed(solution: BearingSolution, static: float, speed: float) -> Iterator[L
 
 def _additives(ratio: float | None) -> Iterator[Limit]:
     if ratio is not None and ratio < _UNPROTECTED:
-        words = "With kappa of {ratio}, below {least}, makers demand EP additives (SKF, ZKL): whether the lubricant "
-        words += "has them is not judged."
+        words = "For kappa of {ratio}, below {least}, manufacturers require EP additives (SKF, ZKL): whether the "
+        words += "lubricant has them is not judged."
         yield Limit(
             None, finding("additives", words, ratio=format_digits(ratio, 3), least=format_digits(_UNPROTECTED, 2))
         )
@@ -241,24 +243,24 @@ def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:
     }
     ring = max(stresses, key=stresses.__getitem__)
     met = stresses[ring] <= HOOP_STRESS
-    words = "The hoop stress of the {ring} ring by its fit, {stress:3}, is {state} {limit:g} (NTN 2203/E)."
+    words = "The hoop stress of the {ring} ring due to its fit, {stress:3}, is {state} {limit:g} (NTN 2203/E)."
     amounts = {"stress": mpa(stresses[ring]), "limit": mpa(HOOP_STRESS)}
     yield Limit(met, finding("hoop-stress", words, ring=ring, **amounts, state="within" if met else "beyond"))
 
 
 def _preload(solution: BearingSolution) -> Iterator[Limit]:
-    """Yield which row of a pair that is mounted with preload bears no load any more."""
+    """Yield a limit for each row of a preloaded pair that has lost its load."""
     bearing = solution.bearing
     if not isinstance(bearing, Paired) or not opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
         return
     for number, row in enumerate(bearing.rows, start=1):
         if _is_preloaded(bearing) and not np.any(solution.load[row.rollers, 0] > 0.0):
-            words = "Row {row} bears no load: the preload of the pair is lost under load."
+            words = "Row {row} is unloaded: the preload of the pair is lost under load."
             yield Limit(False, finding("preload-lost", words, row=number))
 
 
 def _is_preloaded(bearing: RollerBearing | Paired) -> bool:
-    """Return whether rollers are pressed without load."""
+    """Return whether rollers are loaded without external load."""
     rows = [row.bearing for row in bearing.rows if not isinstance(row.bearing, CylindricalThrustBearing)]
     between = bearing.clearance if isinstance(bearing, Paired) else 0.0
     return bool(rows) and between + sum(row.clearance_range.likely for row in rows) / len(rows) < 0.0

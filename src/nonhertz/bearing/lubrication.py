@@ -1,10 +1,10 @@
-"""What oil, dirt and reliability do to the life of a bearing, ISO 281.
+"""Effect of oil, contamination and reliability on the life of a bearing, ISO 281.
 
     a_ISO = 0.1 [1 - (1.5859 - k1 / kappa^k2) (e_C C_u / P)^0.4]^(-9.185), at most 50,
 
 with (k1, k2) = (1.3993, 0.054381) for 0.1 <= kappa < 0.4, (1.2348, 0.19087) for kappa < 1 and (1.2348, 0.071739) up to
 4, for radial roller bearings. kappa is the viscosity over nu_1, 45000 n^(-0.83) D_pw^(-1/2) below n = 1000/min and
-4500 n^(-1/2) D_pw^(-1/2) above. The factor of contamination is
+4500 n^(-1/2) D_pw^(-1/2) above. The contamination factor is
 
     e_C = min(c_1 kappa^0.68 D_pw^0.55, 1) (1 - c_2 / D_pw^(1/3))
 
@@ -12,7 +12,7 @@ and for other reliabilities than 90 %, a_1 = 0.95 (ln(1/R) / ln(1/0.9))^(2/3) + 
 table. Between two temperatures, lg lg(nu + 0.7) is linear in the logarithm of the absolute temperature (Walther; ASTM
 D341), which holds above 2 mm^2/s.
 
-The standards are quoted from public programs that agree with each other; their text was not available. Of the classes
+The standards are quoted from public programs that agree with each other; their text was not available. For the classes
 of cleanliness, c_1 and c_2 of ``"high"`` are in two programs, which do not agree on its name (one calls it -/15/12 in
 an oil bath), and those of circulating oil in one, as they had been recalled before. Others were not found twice.
 """
@@ -34,7 +34,7 @@ CLEANLINESS = {
     "-/17/14": (0.0288, 1.6329),
     "-/19/16": (0.0216, 2.3362),
 }
-#: The least e_C of the levels of the guide of ISO 281, below a pitch diameter of 100 mm and above.
+#: The least e_C of the levels in the guide of ISO 281, for pitch diameters below 100 mm and above.
 GUIDE = {"normal": (0.5, 0.6), "slight": (0.3, 0.4), "typical": (0.1, 0.2), "severe": (0.0, 0.0)}
 _ABSOLUTE = 273.15
 _THINNEST = 2.0  # mm^2/s
@@ -46,9 +46,9 @@ def reference_viscosity(speed: float, pitch_diameter: float) -> float:
     Parameters
     ----------
     speed : float
-        [1/min].
+        Speed [1/min].
     pitch_diameter : float
-        [mm].
+        Pitch diameter [mm].
 
     Examples
     --------
@@ -56,7 +56,7 @@ def reference_viscosity(speed: float, pitch_diameter: float) -> float:
     16.18
     """
     positive("speed", speed, "give the speed in 1/min")
-    positive("pitch_diameter", pitch_diameter, "give that of the rollers' middles in mm")
+    positive("pitch_diameter", pitch_diameter, "give the pitch diameter in mm")
     by_speed = 45000.0 * speed**-0.83 if speed < 1000.0 else 4500.0 / math.sqrt(speed)
     return float(by_speed / math.sqrt(pitch_diameter))
 
@@ -64,21 +64,21 @@ def reference_viscosity(speed: float, pitch_diameter: float) -> float:
 def oil_viscosity(
     temperature: float, *, viscosities: tuple[float, float], temperatures: tuple[float, float] = (40.0, 100.0)
 ) -> float:
-    """Return the viscosity of an oil [mm^2/s] at a temperature, from those at two others.
+    """Return the viscosity of an oil [mm^2/s] at a temperature, from its viscosities at two others.
 
     Parameters
     ----------
     temperature : float
         Temperature of the oil in the bearing [degC].
     viscosities : tuple of float
-        At the two others [mm^2/s], above 2: ISO VG 220 has 220 at 40 degC.
+        Viscosities at the two other temperatures [mm^2/s], above 2: ISO VG 220 has 220 at 40 degC.
     temperatures : tuple of float
-        The two others [degC].
+        The two other temperatures [degC].
 
     Raises
     ------
     InputError
-        If an argument is out of range, or the oil gets thinner than 2 mm^2/s, where the equation does not hold.
+        If an argument is out of range, or the viscosity falls below 2 mm^2/s, where the equation does not hold.
 
     References
     ----------
@@ -100,7 +100,7 @@ def oil_viscosity(
     if first == second:
         raise InputError("temperatures", temperatures, "differ", "give those at which the viscosities were measured")
     if not thick > thin > _THINNEST:
-        condition = f"exceed {_THINNEST:g} mm2/s and be lower where it is warmer"
+        condition = f"exceed {_THINNEST:g} mm2/s and be lower at the higher temperature"
         raise InputError("viscosities", viscosities, condition, "give them in the order of the temperatures")
     ends = [math.log(_ABSOLUTE + celsius) for celsius in (first, second)]
     slope = (_twice(thin) - _twice(thick)) / (ends[1] - ends[0])
@@ -130,7 +130,7 @@ def life_factor(viscosity_ratio: float, relative_limit: float) -> float:
     Parameters
     ----------
     viscosity_ratio : float
-        kappa, at least 0.1; more than 4 counts as 4.
+        kappa, at least 0.1; values above 4 count as 4.
     relative_limit : float
         e_C C_u / P.
 
@@ -142,7 +142,7 @@ def life_factor(viscosity_ratio: float, relative_limit: float) -> float:
     positive("viscosity_ratio", viscosity_ratio, "give the viscosity over the reference viscosity")
     positive("relative_limit", relative_limit, "give e_C C_u / P")
     if viscosity_ratio < LEAST_RATIO:
-        condition = f"be at least {LEAST_RATIO:g}, below which ISO 281 has no factor"
+        condition = f"be at least {LEAST_RATIO:g}, below which ISO 281 gives no factor"
         raise InputError(
             "viscosity_ratio", viscosity_ratio, condition, "use a thicker oil, or leave out the lubrication"
         )
@@ -173,18 +173,18 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
     ----------
     viscosity_ratio : float
         kappa.
-    pitch_diameter : float
-        [mm].
+        pitch_diameter : float
+            Pitch diameter [mm].
     cleanliness : {"high", "-/15/12", "-/17/14", "-/19/16", "normal", "slight", "typical", "severe"}
-        ``"high"``: oil through a very fine filter, or bearings that were greased for life in a clean room and sealed;
-        0.6 to 0.8 on pitch diameters below 100 mm. Otherwise circulating oil with a filter in the circuit that keeps
-        to this code of ISO 4406, or a level of the guide, of which the lower end counts.
+        ``"high"``: oil through a very fine filter, or bearings greased for life in a clean room and sealed; 0.6 to 0.8
+        for pitch diameters below 100 mm. Otherwise circulating oil whose filter keeps it to this code of ISO 4406, or a
+        level of the guide, for which the lower end of its range is used.
 
     Notes
     -----
-    The guide values of ISO 281 (three programs and manuals agree), below a pitch
-    diameter of 100 mm and above: normal cleanliness 0.5 to 0.6 and 0.6 to 0.8, slight contamination 0.3 to 0.5 and 0.4
-    to 0.6, typical contamination 0.1 to 0.3 and 0.2 to 0.4, severe contamination 0 to 0.1.
+    Guide values of ISO 281 (three programs and manuals agree), for pitch diameters below 100 mm and above: normal
+    cleanliness 0.5 to 0.6 and 0.6 to 0.8, slight contamination 0.3 to 0.5 and 0.4 to 0.6, typical contamination 0.1
+    to 0.3 and 0.2 to 0.4, severe contamination 0 to 0.1.
 
     Examples
     --------
@@ -192,7 +192,7 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
     (0.8174, 0.326)
     """
     positive("viscosity_ratio", viscosity_ratio, "give the viscosity over the reference viscosity")
-    positive("pitch_diameter", pitch_diameter, "give that of the rollers' middles in mm")
+    positive("pitch_diameter", pitch_diameter, "give the pitch diameter in mm")
     one_of("cleanliness", cleanliness, (*CLEANLINESS, *GUIDE), "choose one, or give e_C as a number")
     if cleanliness in GUIDE:
         return GUIDE[cleanliness][pitch_diameter >= 100.0]

@@ -1,4 +1,4 @@
-"""Contacts of rollers by maps: stand-ins that cost a microsecond, for many states of one bearing."""
+"""Contacts of rollers by maps: surrogates that take a microsecond, for many states of one bearing."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class BearingMaps(HasHtml):
     bearing : RollerBearing or Paired
         The bearing.
     contacts : tuple of pairs of ContactMap
-        For each row those of the inner and the outer ring.
+        For each row the maps of the contacts with the inner and the outer ring.
     """
 
     bearing: RollerBearing | Paired
@@ -48,7 +48,7 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
     load : float
         The largest load of a roller [N].
     tilt : float
-        The largest tilt of a contact, to both sides [rad].
+        The largest tilt of a contact, in both directions [rad].
     accuracy : float
         As in `nonhertz.maps.contact_map`.
 
@@ -67,7 +67,7 @@ def maps(bearing: RollerBearing | Paired, *, load: float, tilt: float = 2e-3, ac
             if contact not in known:
                 with without_accuracy_warnings():
                     known[contact] = contact_map(contact, load=(0.0, load), tilt=(-tilt, tilt), accuracy=accuracy)
-    # Of a map a bearing takes loads and moments alone.
+    # A bearing uses only loads and moments of a map.
     warn(finding for made in known.values() for finding in made.findings if finding.kind == INACCURATE)
     pairs = [row.bearing.contacts for row in bearing.rows]
     return BearingMaps(bearing, tuple((known[inner], known[outer]) for inner, outer in pairs))

@@ -1,13 +1,13 @@
-"""The oil in a bearing, or that of a grease: its viscosity there, what pressure does to it, and how clean it is.
+"""The oil in a bearing, or the base oil of its grease: viscosity, pressure coefficient, and cleanliness.
 
-A grade of ISO 3448 has a viscosity at 40 degC, and with a viscosity index one at 100 degC (ASTM D2270, ISO 2909);
-between and beyond two temperatures `oil_viscosity` goes (ASTM D341). The coefficient alpha of exp(alpha p), by which
-the viscosity grows with the pressure, is that of a mineral oil if none is given,
+A grade of ISO 3448 gives the viscosity at 40 degC, and with a viscosity index that at 100 degC (ASTM D2270, ISO 2909);
+`oil_viscosity` interpolates and extrapolates in temperature (ASTM D341). The coefficient alpha of exp(alpha p), by
+which the viscosity grows with the pressure, is that of a mineral oil if none is given,
 
     alpha = s nu^t        s = 9.904 / GPa, t = 0.139, nu in mm^2/s
 
 (Gold, Schmidt, Dicke, Loos, Assmann: Viscosity-pressure-temperature behaviour of mineral and synthetic oils, J. Synth.
-Lubr. 18 (2001) 51; s and t as a public program, contact_mechanics of P. Tayer, has them).
+Lubr. 18 (2001) 51; s and t as in a public program, contact_mechanics of P. Tayer).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from nonhertz.inputs.fields import Input, cross_check, input_class
 
 _contamination = number_that(lambda value: value <= 1.0, "not exceed 1", positive)
 _index = number_that(lambda value: value <= 200.0, "not exceed 200")
-_VISCOSITY = "give that of the oil in the bearing in mm^2/s"
+_VISCOSITY = "give the viscosity of the oil in the bearing in mm^2/s"
 _OF_FILM: Final = "the film"
 _MINERAL: Final = (9.904e-3, 0.139)  # s [1/MPa] and t
 
@@ -41,7 +41,7 @@ def _table() -> dict[str, Any]:
 
 
 def _grade(name: str, value: str, remedy: str) -> str:
-    """Return an oil by its grade, which may be written in small letters, without ISO or with other spaces."""
+    """Return an oil by its grade, which may be written in lower case, without ISO or with other spaces."""
     grade = value.upper().replace("ISO", "").replace("VG", "").strip() if isinstance(value, str) else ""
     if grade not in _table()["grades"]:
         raise InputError(name, value, f"be a grade of ISO 3448, VG {', '.join(_table()['grades'])}", remedy)
@@ -55,7 +55,7 @@ def viscosity_at_100(viscosity: float, index: float) -> float:
     Parameters
     ----------
     viscosity : float
-        That at 40 degC [mm^2/s].
+        Viscosity at 40 degC [mm^2/s].
     index : float
         The viscosity index: 100 (L - U) / (L - H) up to 100, and beyond 100 + (10^N - 1) / 0.00715 with Y^N = H / U.
 
@@ -83,7 +83,7 @@ def viscosity_at_100(viscosity: float, index: float) -> float:
 
 @input_class(kw_only=True)
 class OilInPlace(Input):
-    """What the life needs to know of the oil.
+    """Data of the oil for the life.
 
     Raises
     ------
@@ -104,7 +104,7 @@ class OilInPlace(Input):
         float | None,
         Quantity(
             "",
-            "the factor e_C, above 0 and at most 1; if left out, that of the cleanliness",
+            "contamination factor e_C, above 0 and at most 1; if left out, that of the cleanliness",
             _contamination,
             "give e_C, above 0 and at most 1",
         ),
@@ -113,7 +113,7 @@ class OilInPlace(Input):
         str | None,
         Word(
             "class of cleanliness for a_ISO: an ISO 4406 code with circulating oil, 'high', or a level of the guide of "
-            "ISO 281, of which the lower e_C counts; none is assumed",
+            "ISO 281, whose lower e_C is used; none is assumed",
             "choose one, or give contamination as a number",
             (*CLEANLINESS, *GUIDE),
         ),
@@ -124,7 +124,7 @@ class OilInPlace(Input):
         for name in ("contamination", "cleanliness"):
             value = getattr(self, name)
             if value is not None and not self._known:
-                condition, remedy = "be given with a viscosity", "give an oil or a viscosity too, or leave it out"
+                condition, remedy = "be given with a viscosity", "also give an oil or a viscosity, or leave it out"
                 raise InputError(name, value, condition, remedy)
 
     @property
@@ -134,12 +134,12 @@ class OilInPlace(Input):
 
 @input_class(kw_only=True)
 class Lubrication(OilInPlace):
-    """The oil in a bearing, or that of its grease.
+    """The oil in a bearing, or the base oil of its grease.
 
     Raises
     ------
     InputError
-        If a value is out of range, or some do not go together.
+        If a value is out of range or values are inconsistent.
 
     Examples
     --------
@@ -194,7 +194,7 @@ class Lubrication(OilInPlace):
     ] = None
     grease: Annotated[
         bool,
-        Flag("whether the oil is that of a grease, whose films are taken as those of so much oil as they need"),
+        Flag("whether the oil is the base oil of a grease, whose films are assumed fully flooded"),
     ] = False
 
     @cross_check("oil", "viscosities", "temperature", "temperatures", "viscosity_index")
@@ -206,7 +206,7 @@ class Lubrication(OilInPlace):
     @cross_check("grease", "cleanliness")
     def _check_grease(self) -> None:
         if self.grease and str(self.cleanliness).startswith("-"):
-            condition = f"be 'high' or one of {', '.join(map(repr, GUIDE))} for grease: codes are of circulating oil"
+            condition = f"be 'high' or one of {', '.join(map(repr, GUIDE))} for grease: codes apply to circulating oil"
             raise InputError(
                 "cleanliness", self.cleanliness, condition, "choose one, or give contamination as a number"
             )
@@ -227,7 +227,7 @@ class Lubrication(OilInPlace):
 
     @property
     def in_place(self) -> OilInPlace:
-        """The oil as it is in the bearing: keywords of `nonhertz.bearing.assess`."""
+        """The oil at its temperature in the bearing, as keywords of `nonhertz.bearing.assess`."""
         return OilInPlace(viscosity=self._viscosity, contamination=self.contamination, cleanliness=self.cleanliness)
 
     @property
@@ -238,7 +238,7 @@ class Lubrication(OilInPlace):
 
     @property
     def pressure_coefficient(self) -> float | None:
-        """Alpha, as given or that of a mineral oil [1/MPa]; None where the oil is not known."""
+        """Coefficient alpha, as given or that of a mineral oil [1/MPa]; None where the oil is not known."""
         viscosity, (s, t) = self._viscosity, _MINERAL
         if self.pressure_viscosity is not None or viscosity is None:
             return self.pressure_viscosity

@@ -1,4 +1,4 @@
-"""What is left of a bearing's clearance in operation, and the pressures of its fits, as values."""
+"""Operating clearance of a bearing and pressures of its fits, as values."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import positive
 from nonhertz.result.brief import HasHtml, plain_text
 
-MOST_STEP = 30.0  # K, between a ring and the part it is pressed on, above which one of both was probably left out
+MOST_STEP = 30.0  # K, between a ring and its seat; above this one of the temperatures was probably left out
 
 
 @dataclass(frozen=True, kw_only=True)
 class ClearanceRanges:
-    """Between which limits classes leave interferences and radial clearance of a row [mm].
+    """Limits of interferences and radial clearance of a row by their classes [mm].
 
     Attributes
     ----------
     shaft, housing : Range or None
         Interference on shaft and in housing; None without seats.
     unmounted, mounted, operating : Range
-        Radial clearance unmounted, mounted at 20 degC and at rest, and in operation. Its least is where interferences
-        are greatest.
+        Radial clearance unmounted, mounted at 20 degC and at rest, and in operation. It is least at the greatest
+        interferences.
     """
 
     shaft: Range | None
@@ -36,7 +36,7 @@ class ClearanceRanges:
 
     @property
     def known(self) -> bool:
-        """Whether nothing is left open."""
+        """Whether all are single numbers."""
         return all(limits is None or limits.known for limits in (self.shaft, self.housing, self.unmounted))
 
 
@@ -47,16 +47,16 @@ class InterferenceFit:
     Attributes
     ----------
     mounted_pressure : float
-        Where they meet, at 20 degC and at rest [MPa].
+        Pressure at the interface, at 20 degC and at rest [MPa].
     pressure : float
-        The same in operation [MPa]; 0: the parts do not press on each other.
+        The same in operation [MPa]; 0 if the fit is lost.
     seat_stress, raceway_stress : float
         Hoop stress of the bearing's ring in operation, at its seat and at its raceway [MPa].
     loosening_speed : float
-        Speed at which the pressure falls to zero at the temperatures of operation [1/min]; infinite if none does, and 0
-        where the parts part without any. For an outer ring, which is at rest, infinite or 0.
+        Speed at which the pressure falls to zero at operating temperatures [1/min]; infinite if there is none, 0 if the
+        fit is lost at rest. For an outer ring, which is at rest, infinite or 0.
     temperature_step : float
-        By how much the part that is inside is warmer than the one around it [K].
+        Temperature of the inside part minus that of the outside part [K].
     """
 
     mounted_pressure: float
@@ -68,25 +68,25 @@ class InterferenceFit:
 
     @property
     def loosened(self) -> bool:
-        """Whether the parts are pressed together when they are mounted, and not in operation."""
+        """Whether the fit has a pressure when mounted, but not in operation."""
         return self.mounted_pressure > 0.0 and self.pressure == 0.0
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class OperatingClearance(HasFindings, HasHtml):
-    """What is left of a bearing's radial clearance, and what took it.
+    """Operating radial clearance of a bearing, and its reductions.
 
-    The losses are taken in turn, and so add up: first the bearing is mounted, then it gets warm, then it turns. What a
-    fit gains or loses by temperatures or speed is theirs.
+    Reductions are taken in turn, and thus add up: first the bearing is mounted, then it warms up, then it turns. The
+    change of a fit by temperature or speed belongs to these.
 
     Attributes
     ----------
     unmounted : float
-        Radial clearance at first [mm].
+        Radial clearance unmounted [mm].
     lost_to_inner_fit, lost_to_outer_fit : float
         Clearance lost to the fits when the bearing is mounted [mm].
     lost_to_temperatures : float
-        Clearance lost to temperatures [mm]; negative where they widen it.
+        Clearance lost to temperatures [mm]; negative where they increase it.
     lost_to_speed : float
         Clearance lost to speed [mm].
     inner, outer : InterferenceFit
@@ -107,7 +107,7 @@ class OperatingClearance(HasFindings, HasHtml):
 
     @property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
-        """Doubtful steps of temperature across interference fits: metals pressed together level them out."""
+        """Doubtful temperature steps across interference fits: contact of the metals levels them out."""
         words = (
             "The {ring} is {step:.3g} K {way} than the {seat} it is pressed together with: check the temperatures of "
             "both."
@@ -139,7 +139,7 @@ class OperatingClearance(HasFindings, HasHtml):
         return self.mounted - self.lost_to_temperatures - self.lost_to_speed
 
     def axial(self, contact_angle: float) -> float:
-        """Return the axial clearance of one tapered row that has this radial clearance [mm].
+        """Return the axial clearance of one tapered row with this radial clearance [mm].
 
         Parameters
         ----------
@@ -149,9 +149,9 @@ class OperatingClearance(HasFindings, HasHtml):
         Returns
         -------
         float
-            C / (2 tan alpha): that of a `TaperedRollerBearing`, up to contact on this row alone.
+            C / (2 tan alpha): the clearance of a `TaperedRollerBearing`, of this row alone.
         """
-        positive("contact_angle", contact_angle, "give that of the row in rad: 12 degrees are 0.21")
+        positive("contact_angle", contact_angle, "give the contact angle of the row in rad: 12 degrees are 0.21")
         if contact_angle >= 0.5 * math.pi:
             raise InputError("contact_angle", contact_angle, "be less than a right angle", "give it in rad")
         return 0.5 * self.clearance / math.tan(contact_angle)
@@ -159,8 +159,8 @@ class OperatingClearance(HasFindings, HasHtml):
     def __repr__(self) -> str:
         lines = [
             f"radial clearance {um(self.clearance):4} of {um(self.unmounted):4} unmounted",
-            f"taken by the inner fit {um(self.lost_to_inner_fit):4}, by the outer fit {um(self.lost_to_outer_fit):4}",
-            f"taken by temperatures {um(self.lost_to_temperatures):4}, by speed {um(self.lost_to_speed):4}",
+            f"reduction due to inner fit {um(self.lost_to_inner_fit):4}, outer fit {um(self.lost_to_outer_fit):4}",
+            f"reduction due to temperatures {um(self.lost_to_temperatures):4}, speed {um(self.lost_to_speed):4}",
             *(
                 line
                 for name, fit in (("inner", self.inner), ("outer", self.outer))

@@ -1,4 +1,4 @@
-"""Rows of rollers beside each other, on one inner ring or on rings that are clamped together."""
+"""Rows of rollers side by side, on one inner ring or on rings clamped together."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _ways(name: str, value: Any, remedy: str) -> tuple[bool, ...]:
 
 @input_class(kw_only=True)
 class Paired(Input):
-    """Rows of rollers on one inner ring, or on rings that are clamped together.
+    """Rows of rollers on one inner ring, or on rings clamped together.
 
     See Also
     --------
@@ -50,18 +50,18 @@ class Paired(Input):
     ]
     x: Annotated[
         tuple[float, ...],
-        Quantities("mm", "axial coordinates of their rollers' middles; the inner ring turns about x = 0"),
+        Quantities("mm", "axial coordinates of their rollers' centres; the inner ring tilts about x = 0"),
     ]
     turned: Annotated[
         tuple[bool, ...],
-        Custom("which are turned round, and bear axial loads along -x", _ways, {}, "write True or False for each row"),
+        Custom("whether each is turned round, for axial loads along -x", _ways, {}, "write True or False for each row"),
     ]
     clearance: Annotated[
         float,
         Quantity(
             "mm",
-            "by how much the inner ring moves along the axis between rows that bear axial loads in both directions, "
-            "beside what the rows themselves have; negative: preload",
+            "axial clearance between rows that support axial loads in opposite directions, in addition to the rows' "
+            "own; negative: preload",
             finite,
             "give the axial clearance in mm",
         ),
@@ -78,12 +78,12 @@ class Paired(Input):
         if not count:
             raise InputError("bearings", self.bearings, "be rows of rollers", "give two rows, or more")
         if len(self.x) != count or len(self.turned) != count:
-            raise InputError("x", self.x, f"hold {count} places, as many as turned", "give one for each row")
+            raise InputError("x", self.x, f"hold {count} positions, as many as turned", "give one for each row")
 
     @cross_check("bearings", "clearance")
     def _check_held(self) -> None:
         if self.clearance and not any(any(row.bears_axially) for row in self.bearings):
-            condition = "be zero for rows that do not hold the inner ring along the axis"
+            condition = "be zero for rows that do not locate the inner ring axially"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
 
     @cross_check("bearings", "x", "turned", "clearance", "preload")
@@ -94,16 +94,16 @@ class Paired(Input):
             raise InputError("pair.preload", self.preload, "not be given together with clearance", "leave one out")
         equal = all(isinstance(row, TaperedRollerBearing) and row == self.bearings[0] for row in self.bearings)
         if not equal or sorted(self.turned) != [False, True]:
-            condition = "be left out but for two equal tapered rows in X or O"
+            condition = "be left out except for two equal tapered rows in X or O"
             raise InputError("pair.preload", self.preload, condition, "give the clearance of the rows")
 
     def at(self, clearance: str = "likely") -> Paired:
-        """Return the rows with the least, likely or greatest clearance of their groups in place of these."""
+        """Return the rows with the least, likely or greatest clearance of their groups."""
         return replace(self, bearings=tuple(row.at(clearance) for row in self.bearings))
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The rows in their places."""
+        """The rows at their positions."""
         firsts = accumulate((row.rollers for row in self.bearings[:-1]), initial=0)
         rows = zip(self.bearings, self.x, self.turned, firsts, strict=True)
         return tuple(Row(row, x, way, 0.5 * self.clearance, first) for row, x, way, first in rows)
@@ -111,13 +111,13 @@ class Paired(Input):
 
 @input_class()
 class Pair(Input):
-    """How a second row like the first lies, on the same inner ring or on rings that are clamped together."""
+    """Arrangement of a second row equal to the first, on the same inner ring or on rings clamped together."""
 
     arrangement: Annotated[
         str,
         Word(
             "'X', face to face: the lines of pressure meet between the rows; 'O', back to back: they meet outside; or "
-            "'tandem', both rows bearing axial loads along +x",
+            "'tandem', both rows supporting axial loads along +x",
             "write 'X', 'O' or 'tandem'",
             ARRANGEMENTS,
         ),
@@ -126,7 +126,7 @@ class Pair(Input):
         float,
         Quantity(
             "mm",
-            "the distance of the middles of both rows' rollers along the axis",
+            "the axial distance between the centres of both rows' rollers",
             positive,
             "give the distance of the rows in mm",
         ),
@@ -135,7 +135,7 @@ class Pair(Input):
         float,
         Quantity(
             "mm",
-            "axial clearance of the pair, beside what the rows have themselves; negative: preload",
+            "axial clearance of the pair, in addition to the rows' own; negative: preload",
             finite,
             "give the axial clearance in mm",
         ),
@@ -144,12 +144,12 @@ class Pair(Input):
 
     @classmethod
     def of(cls, rows: Paired) -> Pair:
-        """Return how two equal rows lie.
+        """Return the arrangement of two equal rows.
 
         Raises
         ------
         InputError
-            If they are others.
+            If the rows are not two equal ones.
         """
         first, distance = rows.bearings[0], rows.x[-1] - rows.x[0]
         for arrangement in ARRANGEMENTS if distance > 0.0 else ():
@@ -175,9 +175,9 @@ def paired(
         A row.
     arrangement : {"X", "O", "tandem"}
         ``"X"``, face to face: the lines of pressure meet between the rows. ``"O"``, back to back: they meet outside.
-        ``"tandem"``: both rows bear axial loads along +x.
+        ``"tandem"``: both rows support axial loads along +x.
     distance : float
-        Between the middles of their rollers along the axis [mm].
+        Axial distance between the centres of their rollers [mm].
     clearance, preload : float
         As in `Paired`.
 
@@ -202,9 +202,9 @@ def _make_pair(bearing: RollerBearing, pair: Pair) -> Paired:
 
 
 def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
-    """Return the inputs of which a bearing is made, by their places in a file.
+    """Return the inputs of a bearing, by their places in a file.
 
-    The clearance of rows that hold each other along the axis is that of the pair.
+    The clearance of rows that locate each other axially is that of the pair.
     """
     row = bearing.rows[0].bearing
     paired_by_angle = isinstance(bearing, Paired) and row.nominal_angle > 0.0
@@ -213,7 +213,7 @@ def parts_of(bearing: RollerBearing | Paired) -> dict[str, Input]:
 
 
 def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
-    """Return the share of each row's rollers that the inner ring loads.
+    """Return the fraction of each row's rollers that the inner ring loads.
 
     Parameters
     ----------
@@ -226,6 +226,6 @@ def loaded_shares(bearing: RollerBearing | Paired, load: Array) -> Array:
     -------
     ndarray, shape (..., rows)
     """
-    # At speed every roller presses on the outer ring; between the rings only these bear load.
+    # At speed every roller presses on the outer ring; only these carry load between the rings.
     loaded = load[..., 0] > 0.0
     return np.stack([loaded[..., row.rollers].mean(axis=-1) for row in bearing.rows], axis=-1)

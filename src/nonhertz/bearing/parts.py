@@ -1,4 +1,4 @@
-"""What fields of bearings say of themselves: bodies, diameters, clearance and contact angle."""
+"""Descriptions of fields of bearings: bodies, diameters, clearance and contact angle."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from nonhertz.inputs.descriptions import Part, Quantity
 from nonhertz.model.body import Body, Plate, Ring, Roller
 
 Array = NDArray[np.float64]
-#: How far a raceway lies from a circle: at angles [rad], how much less room it leaves [mm].
+#: Deviation of a raceway from a circle: angles [rad] -> reduction of room [mm].
 Shape = Callable[[Array], ArrayLike]
 
 MOST_ROLLERS = 1000
-# Of the roller's diameter: by how much raceways may leave more or less room for it than the clearance says.
+# Fraction of the roller's diameter by which the room between raceways may differ from the clearance.
 FITS = 0.02
-# Of the pitch diameter: the largest radial clearance C. Motions of the ring are taken as small, and where it is off its
-# centre by C / 2 the gap is off by C^2 / (4 pitch), at 0.01 by 0.5 % of C / 2.
+# Largest radial clearance C over the pitch diameter. Motions of the ring are assumed small: where it is off-centre by
+# C / 2 the gap has an error of C^2 / (4 pitch), 0.5 % of C / 2 at 0.01.
 MOST_CLEARANCE = 0.01
 MOST_ANGLE = math.radians(45.0)
 RACEWAY = "make it with Ring, or with Plate for washers"
@@ -33,13 +33,13 @@ DENSITY = "give it in t/mm^3, 7.85e-9 for steel"
 
 
 def function_of_angle(name: str, value: Any, remedy: str) -> None:
-    """Refuse what is not a function of the angle."""
+    """Refuse anything but a function of the angle."""
     if not callable(value):
         raise InputError(name, value, "be a function of the angle", remedy)
 
 
 def likely_raceway(values: Mapping[str, Any]) -> type[Body]:
-    """Return the class of a raceway without a kind: a washer has no diameter."""
+    """Return the class of a raceway without a kind: a washer if it has no diameter."""
     return Plate if values.get("diameter") is None else Ring
 
 
@@ -47,7 +47,7 @@ def likely_raceway(values: Mapping[str, Any]) -> type[Body]:
 Rollers = Annotated[
     Body,
     Part(
-        "the rollers, all identical, with diameter and length; y of their profile goes along the bearing's axis, x",
+        "the rollers, all identical, with diameter and length; y of their profile points along the bearing's axis, x",
         Body,
         "make them with Roller or Body",
         likely=lambda values: Roller,
@@ -56,7 +56,7 @@ Rollers = Annotated[
 InnerRing = Annotated[
     Body,
     Part(
-        "the inner ring, its diameter that of the raceway, or the shaft's washer, which is flat and has none",
+        "the inner ring, with the raceway's diameter, or the shaft washer, which is flat and has none",
         Body,
         RACEWAY,
         likely=likely_raceway,
@@ -65,8 +65,8 @@ InnerRing = Annotated[
 OuterRing = Annotated[
     Body,
     Part(
-        "the outer ring, its diameter that of the raceway and negative, or the housing's washer, which is flat and has "
-        "none",
+        "the outer ring, with the raceway's diameter as a negative number, or the housing washer, which is flat and "
+        "has none",
         Body,
         RACEWAY,
         likely=likely_raceway,
@@ -74,14 +74,14 @@ OuterRing = Annotated[
 ]
 PITCH = Quantity(
     "mm",
-    "the diameter of the circle of the rollers' middles; the mean of both raceways if left out",
+    "the pitch diameter, of the circle of the rollers' centres; the mean of both raceways if left out",
     positive,
-    "give that of the rollers' middles in mm",
+    "give the pitch diameter in mm",
 )
 CLEARANCE = Quantity(
     "mm",
-    "internal clearance of a row: from one side to the other the inner ring moves by so much, along the axis for "
-    "tapered bearings, up to where a second row like this would hold it, and across it for others; negative: preload",
+    "internal clearance of a row: radial, for tapered bearings axial, as if a second, opposed row located the ring; "
+    "negative: preload",
     finite,
     "give the internal clearance in mm, or its group",
     dict.fromkeys(CLEARANCE_GROUPS, "group of ISO 5753-1"),
@@ -91,13 +91,13 @@ BORE = "give the nominal bore in mm"
 OUTSIDE = "give the nominal outside diameter in mm"
 ANGLE = Quantity(
     "rad",
-    "the angle between the normal of the outer raceway and the radial plane, of tapered and spherical bearings",
+    "contact angle of tapered and spherical bearings, between the normal of the outer raceway and the radial plane",
     number_that(lambda value: value <= MOST_ANGLE, f"not exceed {MOST_ANGLE:.4g} rad, 45 degrees", positive),
     "give it in rad: 12 degrees are 0.21",
 )
 RIB = Part(
-    "where the inner ring's rib touches the rollers of a tapered bearing, or all ribs those of a cylindrical one; a "
-    "usual place if left out",
+    "contact of the inner ring's rib with the rollers of a tapered bearing, or of all ribs with those of a cylindrical "
+    "one; typical values if left out",
     Rib,
     "make one with nonhertz.bearing.Rib, or leave it out",
 )

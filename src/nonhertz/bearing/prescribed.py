@@ -1,4 +1,4 @@
-"""What acts on the inner ring, as it is given: forces, moments, displacements and rotations of one state or many."""
+"""Loading of the inner ring as given: forces, moments, displacements and rotations of one state or many."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 #: A number, or one along each of two axes.
 OneOrBoth = float | tuple[float, float]
-#: What two components are called, and which of them one number alone is.
+#: Names of two components, and which of them a single number is.
 _ALONG_Y, _ABOUT_Z = (("along y", "along z"), 0), (("about y", "about z"), 1)
 _ROTATION = "give it in rad: 1 mrad is 0.001, 1 degree 0.01745"
 
@@ -50,12 +50,12 @@ class TurningRing(Input):
 
 @input_class(kw_only=True)
 class BearingLoad(Input):
-    """What loads the inner ring, or moves it; the outer ring is at rest.
+    """Loads or motions of the inner ring; the outer ring is at rest.
 
     Raises
     ------
     InputError
-        If one of them is out of range; whether a bearing takes the load turns out when it is solved.
+        If one of them is out of range. Whether a bearing can support the load is checked when it is solved.
     """
 
     instead: ClassVar[Mapping[str, str]] = {
@@ -105,22 +105,22 @@ class BearingLoad(Input):
         float,
         Quantity(
             "1/min",
-            "speed of the ring that turns, for centrifugal loads and the life",
+            "speed of the turning ring, for centrifugal loads and the life",
             not_negative,
-            "give the speed of the ring that turns in 1/min",
+            "give the speed of the turning ring in 1/min",
         ),
     ] = 0.0
 
 
 class Prescribed(NamedTuple):
-    """What is given."""
+    """The given values."""
 
-    by_force: NDArray[np.bool_]  # of which motions of the ring the force or moment is; of the others the motion, (5,)
-    target: Array  # what is given [N, N mm, mm, rad], (states, 5)
+    by_force: NDArray[np.bool_]  # for each motion of the ring, whether its force or moment is given, (5,)
+    target: Array  # given values [N, N mm, mm, rad], (states, 5)
 
 
 class _Pair(NamedTuple):
-    """A force and the motion that may be given in its place; ``first`` is where a single number goes of two."""
+    """A force and the motion that may replace it; ``first`` is the component that a single number stands for."""
 
     force: str
     motion: str
@@ -133,16 +133,16 @@ _PAIRS = (
     _Pair("axial", "axial_displacement", slice(0, 1), 0),
     _Pair("moment", "tilt", slice(3, 5), 1),
 )
-_COINCIDE = 0.02  # of the pitch diameter: how far apart the middles of spheres may be that are meant to be one
+_COINCIDE = 0.02  # of the pitch diameter: largest distance between the centres of spheres that count as one
 
 
 def one_state(bearing: RollerBearing | Paired, load: BearingLoad) -> Prescribed:
-    """Return what is given of one state.
+    """Return the given values of one state.
 
     Raises
     ------
     InputError
-        If the bearing does not bear it.
+        If the bearing cannot support the load.
     """
     values = {
         name: np.asarray(value, dtype=float)[None]
@@ -156,9 +156,9 @@ def one_state(bearing: RollerBearing | Paired, load: BearingLoad) -> Prescribed:
 def many_states(
     bearing: RollerBearing | Paired, inputs: Mapping[str, ArrayLike | None]
 ) -> tuple[Prescribed, tuple[int, ...]]:
-    """Return what is given of many states, and their shape: arrays along y, x and about z."""
+    """Return the given values of many states, and their shape: arrays along y, x and about z."""
     rows = {name: numbers(name, value, "give numbers") for name, value in inputs.items() if value is not None}
-    spread = dict(zip(rows, broadcast("give arrays that fit each other", *rows.values()), strict=True)) if rows else {}
+    spread = dict(zip(rows, broadcast("give arrays of matching shapes", *rows.values()), strict=True)) if rows else {}
     shape = next(iter(spread.values())).shape if spread else ()
     if not math.prod(shape):
         name = next(iter(rows))
@@ -168,7 +168,7 @@ def many_states(
 
 
 def motions(displacement: ArrayLike, others: Mapping[str, object]) -> tuple[Prescribed, tuple[int, ...]]:
-    """Return all motions of the ring in many states, and their shape."""
+    """Return the given motions of the ring in many states, and their shape."""
     for name, value in others.items():
         if value is not None:
             raise InputError(name, value, "not be given together with displacement", "leave one of them out")
@@ -181,7 +181,7 @@ def motions(displacement: ArrayLike, others: Mapping[str, object]) -> tuple[Pres
 
 
 def _check_values(bearing: RollerBearing | Paired, values: Mapping[str, Array], count: int) -> Prescribed:
-    """Check what is given: for each name numbers, shape (count,), or all components, shape (count, components)."""
+    """Check the given values: for each name numbers, shape (count,), or components, shape (count, components)."""
     by_force, target = np.zeros(5, dtype=np.bool_), np.zeros((count, 5))
     axially = any(any(row.bears_axially) for row in bearing.rows)
     radially = any(row.bearing.bears_radially for row in bearing.rows)
@@ -197,7 +197,7 @@ def _check_values(bearing: RollerBearing | Paired, values: Mapping[str, Array], 
             target[:, pair.where if value.ndim > 1 else pair.where.start + pair.first] = value
     _refuse_unborne("axial", axially, "move along the axis", (by_force, target), _PAIRS[1].where)
     _refuse_unborne("radial", radially, "move across the axis", (by_force, target), _PAIRS[0].where)
-    _refuse_unborne("moment", not aligns, "turn about the middle of a sphere", (by_force, target), _PAIRS[2].where)
+    _refuse_unborne("moment", not aligns, "turn about the centre of a sphere", (by_force, target), _PAIRS[2].where)
     _refuse_falling_apart(bearing, by_force, target)
     if "tilt" in values:
         _refuse_large("tilt", target[:, 3:])
@@ -205,25 +205,25 @@ def _check_values(bearing: RollerBearing | Paired, values: Mapping[str, Array], 
 
 
 def _refuse_unborne(name: str, borne: bool, way: str, acting: tuple[NDArray[np.bool_], Array], where: slice) -> None:
-    """Refuse a force that the bearing does not bear; where there is none, the ring is held instead."""
+    """Refuse a force that the bearing cannot support; without one, the ring is held in that direction."""
     by_force, target = acting
     if borne or not np.any(by_force[where]):
         return
     if np.any(target[:, where] != 0.0):
         condition = f"be zero for a bearing whose inner ring is free to {way}"
         largest = float(np.max(np.abs(target[:, where])))
-        remedy = "give tilt, or use one that bears moments" if name == "moment" else f"use one that bears {name} loads"
+        remedy = "give tilt, or use one that supports moments" if name == "moment" else f"use one for {name} loads"
         raise InputError(name, largest, condition, remedy)
     by_force[where] = False
 
 
 def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.bool_], target: Array) -> None:
-    """Refuse less axial force than a radial one needs where rows bear axial loads one way alone."""
+    """Refuse an axial force below that required by the radial force where rows support axial loads one way only."""
     up, down = np.any([row.bears_axially for row in bearing.rows], axis=0)
     if not by_force[0] or up == down:
         return
     radial = np.hypot(target[:, 1], target[:, 2]) if np.all(by_force[1:3]) else np.zeros(len(target))
-    # A row that is held along the axis by ribs, or by nothing, needs no axial force for a radial one.
+    # A row located axially by ribs, or not at all, needs no axial force for a radial one.
     slope = min(math.tan(row.bearing.nominal_angle) for row in bearing.rows)
     least = np.where(radial > 0.0, slope * radial, 0.0)
     axial = target[:, 0] if up else -target[:, 0]
@@ -235,7 +235,10 @@ def _refuse_falling_apart(bearing: RollerBearing | Paired, by_force: NDArray[np.
             f"exceed {newton(least[k]):.4g} along {way}, the tangent of the contact angle times the radial force"
         )
         if least[k] == 0.0:
-            condition, remedy = f"act along {way}, the only way in which this bearing bears load", "turn it round"
+            condition, remedy = (
+                f"act along {way}, the only direction in which this bearing supports it",
+                "turn it round",
+            )
         raise InputError("axial", float(target[k, 0]), condition, f"{remedy}; or give axial_displacement")
 
 

@@ -1,7 +1,7 @@
-"""The numbers of a loaded bearing, each defined once: name, label, symbol, units, and how to get it.
+"""The quantities of a loaded bearing, each defined once: name, label, symbol, units, and function.
 
-Columns of sweeps and tolerance studies and rows of comparisons are made from these. Those that are within no array or
-part of a result have a row of summaries, reports and the page, and a key of JSON.
+Columns of sweeps and tolerance studies and rows of comparisons are made from these. Quantities that are not part of an
+array or another part of a result also have a row in summaries, reports and on the page, and a key in JSON.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ LIVES: Final = ("10^6 revolutions", "million revolutions")
 
 
 class Rated(Protocol):
-    """A bearing with what is known of its life, such as a `BearingCase`."""
+    """A bearing with the data for its life, such as a `BearingCase`."""
 
     @property
     def operating_clearance(self) -> OperatingClearance | None:
-        """What fits leave of its clearance; None without fits."""
+        """Its operating clearance; None without fits."""
 
     def assess(self, solution: BearingSolution) -> BearingLife:
-        """Return how long it lasts; refuse if it has no rating."""
+        """Return its life; refuse if it has no rating."""
 
     def films(self, solution: BearingSolution) -> Films | None:
-        """Return its films of oil; None without a speed or an oil."""
+        """Return its oil films; None without a speed or an oil."""
 
     def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Any:
-        """Return whether limits are met: a `nonhertz.verdict.Verdict`, which stands above bearings."""
+        """Return whether limits are met: a `nonhertz.verdict.Verdict`, which cannot be imported here."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class SolvedBearing:
 
     @cached_property
     def life(self) -> BearingLife:
-        """How long it lasts.
+        """Its life.
 
         Raises
         ------
@@ -63,12 +63,12 @@ class SolvedBearing:
 
     @cached_property
     def films(self) -> Films | None:
-        """The films of oil; None without a speed or an oil."""
+        """The oil films; None without a speed or an oil."""
         return self.case.films(self.solution)
 
     @property
     def life_or_none(self) -> BearingLife | None:
-        """How long it lasts; None if such a bearing has no rating."""
+        """Its life; None if such a bearing has no rating."""
         try:
             return self.life
         except NonhertzError:
@@ -76,7 +76,7 @@ class SolvedBearing:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What is found about the bearing, its fits if it has any, and its life if it has one."""
+        """Findings on the bearing, on its fits if it has any, and on its life if it has one."""
         parts = self.solution, self.case.operating_clearance, self.life_or_none
         return tuple(finding for part in parts if part is not None for finding in part.findings)
 
@@ -137,7 +137,7 @@ QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _quan
 
 
 def further(solved: SolvedBearing) -> Iterator[tuple[Quantity, float]]:
-    """Yield the numbers that are within no array or part of a result, as far as there are any."""
+    """Yield the available quantities that are not part of an array or another part of a result."""
     for quantity in QUANTITIES.values():
         if not quantity.within:
             try:

@@ -1,17 +1,17 @@
 """Load ratings and equivalent loads of bearings, ISO 281 and ISO 76.
 
-The formulas of one raceway are those of `nonhertz.life.capacity`; of i equal rows, in X, O or tandem, C is i^(7/9)
-times that of one. Several rows in X or O are one bearing of two rows or more, and have its factors:
+The formulas of one raceway are in `nonhertz.life.capacity`; for i equal rows, in X, O or tandem, C is i^(7/9) times
+that of one row. Several rows in X or O are rated as one bearing of two or more rows, with its factors:
 
     one row, or all of them turned the same way     P = F_r, or 0.4 F_r + 0.4 cot(alpha) F_a
     rows turned against each other                  P = F_r + 0.45 cot(alpha) F_a, or 0.67 [F_r + cot(alpha) F_a]
 
-up to F_a / F_r = 1.5 tan(alpha), and above; two public programs have them, and catalogues of spherical roller bearings
-agree. P_0 is the larger of F_r and 0.5 F_r + 0.22 cot(alpha) F_a, or F_r + 0.44 cot(alpha) F_a for rows against each
-other (one program). Cylindrical thrust bearings have P = P_0 = F_a.
+up to F_a / F_r = 1.5 tan(alpha), and above; two public programs use them, and catalogues of spherical roller bearings
+agree. P_0 is the larger of F_r and 0.5 F_r + 0.22 cot(alpha) F_a, or F_r + 0.44 cot(alpha) F_a for opposed rows (one
+program). Cylindrical thrust bearings have P = P_0 = F_a.
 
-The static rating C_0 = 44 (1 - gamma) i Z L D cos(alpha) is the load at which 4000 MPa are reached on the roller that
-bears 5 C_0 / (i Z cos(alpha)); the same pressure under an axial load on flat washers gives 220 Z L D.
+The static rating C_0 = 44 (1 - gamma) i Z L D cos(alpha) is the load at which the pressure reaches 4000 MPa on the
+roller that carries 5 C_0 / (i Z cos(alpha)); the same pressure under an axial load on flat washers gives 220 Z L D.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from nonhertz.result.brief import HasHtml
 _STATIC = 44.0  # N/mm^2
 _SHARE_OF_MOST_LOADED = 5.0
 _MATERIAL_FACTORS = {SphericalRollerBearing: 1.15, CylindricalThrustBearing: 1.0}  # b_m
-_OF_ROWS = 7.0 / 9.0  # power of their number with which C grows
+_OF_ROWS = 7.0 / 9.0  # power of the number of rows with which C grows
 _ALIKE = 1e-9
 
 
@@ -64,11 +64,11 @@ class Rating(HasHtml):
     rows : int
         Number of equal rows, i.
     material_factor : float
-        b_m, with which C was found, if it isn't a catalogue's: 1.1; 1.15 for spherical roller bearings and 1 for
-        thrust bearings, see docs/explain/standards.md.
+        b_m used for C, unless C is a catalogue's: 1.1; 1.15 for spherical roller bearings and 1 for thrust bearings,
+        see docs/explain/standards.md.
     reduction : float
-        lambda nu, the reduction of C for loads that are not even along the rollers, which the capacities of contacts
-        are free of: 0.83, or 0.73 for thrust bearings.
+        lambda nu, the reduction of C for uneven line loads, which is not part of the capacities of contacts: 0.83, or
+        0.73 for thrust bearings.
     """
 
     dynamic: float
@@ -82,7 +82,7 @@ class Rating(HasHtml):
 
     @property
     def of_thrust(self) -> bool:
-        """Whether it is that of a thrust bearing, under axial loads."""
+        """Whether it is the rating of a thrust bearing, for axial loads."""
         return self.reduction == THRUST_REDUCTION
 
 
@@ -98,20 +98,20 @@ def rating(
     Parameters
     ----------
     bearing : RollerBearing or Paired
-        The bearing; several rows must be alike.
+        The bearing; several rows must be equal.
     dynamic, static : float, optional
-        C and C_0 of a catalogue [N], in place of those of the standards' formulas; of all rows together.
+        C and C_0 of a catalogue [N], which replace those of the standards' formulas; for all rows together.
     material_factor : float, optional
         b_m in place of the one of the bearing's kind: 1 for needle rollers in a drawn cup.
 
     Raises
     ------
     InputError
-        If rows differ, thrust bearings are turned against each other, or something isn't of bearing steel.
+        If rows differ, thrust bearings are opposed, or a part is not of bearing steel.
 
     Notes
     -----
-    C includes the factor 0.83 (0.73 for thrust bearings) for loads that are not even along the rollers, lambda nu.
+    C includes the factor 0.83 (0.73 for thrust bearings) for uneven line loads, lambda nu.
 
     Examples
     --------
@@ -140,7 +140,7 @@ def rating(
 def _dynamic(row: RollerBearing, rows: int, factor: float) -> float:
     """Return C of equal rows [N], ISO 281."""
     if isinstance(row, CylindricalThrustBearing):
-        # As for radial bearings; the standard's sum over rows that may differ becomes this for equal ones.
+        # As for radial bearings; the standard's sum over different rows reduces to this for equal ones.
         of_one = thrust_rating(row.roller_diameter, length_of(row), row.pitch, row.rollers)
         return float(factor * of_one * rows**_OF_ROWS)
     return raceways(row)[0].load_rating(row.rollers, rows=rows, material_factor=factor)
@@ -164,7 +164,7 @@ def _capacities(row: RollerBearing, rows: int, load: float) -> tuple[float, floa
 
 
 def raceways(bearing: RollerBearing) -> tuple[Raceway, Raceway]:
-    """Return both raceways of a radial row as ISO 281 sees them."""
+    """Return both raceways of a radial row for ISO 281."""
     of_both = bearing.roller_diameter, length_of(bearing), bearing.pitch
     angle = bearing.nominal_angle
     return Raceway(*of_both, True, contact_angle=angle), Raceway(*of_both, False, contact_angle=angle)
@@ -177,12 +177,12 @@ def length_of(bearing: RollerBearing) -> float:
 
 
 def opposed(bearing: RollerBearing | Paired) -> bool:
-    """Return whether rows of a bearing are turned against each other, as in X and O."""
+    """Return whether rows of a bearing are opposed, as in X and O."""
     return len({row.turned for row in bearing.rows}) > 1
 
 
 def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
-    """Return P of ISO 281 and P_0 of ISO 76 [N]; preload and moments are not in them."""
+    """Return P of ISO 281 and P_0 of ISO 76 [N], which do not include preload and moments."""
     bearing, (axial, radial) = solution.bearing, axial_and_radial(solution)
     row = bearing.rows[0].bearing
     if isinstance(row, CylindricalThrustBearing):
@@ -198,20 +198,20 @@ def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
 
 
 def axial_on_ribs(solution: BearingSolution) -> float:
-    """Return the axial load on rows without a contact angle [N], which their ribs bear."""
+    """Return the axial load on ribs [N], of rows without a contact angle."""
     return 0.0 if any(row.bearing.nominal_angle for row in solution.bearing.rows) else axial_and_radial(solution)[0]
 
 
 def axial_and_radial(solution: BearingSolution) -> tuple[float, float]:
-    """Return how large the axial and the radial force on the inner ring are [N]."""
-    # What is left of the balance of preloaded rollers is no force.
+    """Return the magnitudes of the axial and the radial force on the inner ring [N]."""
+    # The residual of the balance of preloaded rollers is not a force.
     borne = solution.load.sum() + solution.each_rib_load.sum()
     force = np.where(np.abs(solution.force) > NO_LOAD * borne, solution.force, 0.0)
     return abs(float(force[0])), math.hypot(*force[1:3])
 
 
 def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
-    """Return one of equal rows, and how many there are."""
+    """Return one of equal rows, and their number."""
     if not isinstance(bearing, RollerBearing | Paired) or type(bearing) is RollerBearing:
         condition = "be a bearing of rollers"
         raise InputError("bearing", type(bearing).__name__, condition, "make one with nonhertz.bearing")
@@ -224,8 +224,8 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
             "bearing", "Paired", condition, "rate the rows by themselves, each under its share of the loads"
         )
     if isinstance(rows[0], CylindricalThrustBearing) and opposed(bearing):
-        condition = "have all its thrust bearings turned the same way: the others do not bear this load"
-        raise InputError("bearing", "Paired", condition, "rate the rows that bear it")
+        condition = "have all its thrust bearings turned the same way: the others do not support this load"
+        raise InputError("bearing", "Paired", condition, "rate the rows that support it")
     return rows[0], len(rows)
 
 

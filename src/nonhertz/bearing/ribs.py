@@ -1,10 +1,10 @@
-"""Ribs that hold rollers along their axes, and the contacts of the rollers' ends on them.
+"""Ribs that locate rollers along their axes, and the contacts of the rollers' ends with them.
 
-The end of a roller is part of a sphere with its centre on the roller's axis, and the flank of a rib part of a cone
-about the bearing's axis. They touch where the flank is square to a radius of the sphere, so that the normal goes
-through the sphere's centre: at a distance from the roller's axis of the sphere's radius times the sine of the flank's
-angle. Along the circle of the bearing the flank has the curvature n_r / r, n_r being the part of the normal along the
-radius r, and along its straight generator none, or that of its crown. The contact is that of Hertz over an ellipse.
+The end of a roller is part of a sphere with its centre on the roller's axis, and the flank of a rib is part of a cone
+about the bearing's axis. They touch where the flank is square to a radius of the sphere, so that the normal passes
+through the sphere's centre: at a distance from the roller's axis of the sphere's radius times the sine of the flank
+angle. The flank has the curvature n_r / r around the bearing, n_r being the component of the normal along the radius r,
+and none along its straight generator, or that of its crown. The contact is Hertz's elliptical contact.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ from nonhertz.inputs.fields import Input, cross_check, input_class
 
 Array = NDArray[np.float64]
 
-#: Places of ribs: the ring, and the end of the rollers which it holds, -1 at low x.
+#: Positions of ribs: the ring, and the end of the rollers, -1 at low x.
 Place = tuple[str, int]
-#: Ribs of cylindrical roller bearings by their designs. NJ and NF bear axial loads on the inner ring along +x.
+#: Ribs of cylindrical roller bearings by design. NJ and NF support axial loads on the inner ring along +x.
 DESIGNS: dict[str, tuple[Place, ...]] = {
     "NU": (("outer", -1), ("outer", 1)),
     "N": (("inner", -1), ("inner", 1)),
@@ -39,12 +39,12 @@ DESIGNS: dict[str, tuple[Place, ...]] = {
     "NUP": (("inner", -1), ("inner", 1), ("outer", -1), ("outer", 1)),
 }
 _END_RADIUS = "give the radius of the rollers' ends in mm"
-_HEIGHT = "give how far from the roller's axis the rib touches, in mm"
+_HEIGHT = "give the distance of the contact from the roller's axis in mm"
 
 
 @input_class()
 class Rib(Input):
-    """Where ribs of a bearing's rings touch the rollers' ends.
+    """Contacts of ribs of a bearing's rings with the rollers' ends.
 
     Raises
     ------
@@ -67,19 +67,19 @@ class Rib(Input):
         float | None,
         Quantity(
             "mm",
-            "the radius of a crowned flank; a straight one has none",
+            "the crown radius of the flank; a straight flank has none",
             positive,
-            "give that of the flank in mm, or leave it out",
+            "give the radius of the flank in mm, or leave it out",
         ),
     ] = None
     edge: Annotated[
         float | None,
         Quantity(
             "mm",
-            "the distance of the flank's free edge from the roller's axis, where contacts lose room; not looked for if "
-            "left out",
+            "the distance of the flank's free edge from the roller's axis, beyond which contacts are cut off; not "
+            "checked if left out",
             not_negative,
-            "give how far from the roller's axis the flank ends, in mm",
+            "give the distance of the flank's edge from the roller's axis in mm",
         ),
     ] = None
 
@@ -87,7 +87,7 @@ class Rib(Input):
     def _check_height(self) -> None:
         if self.height >= self.end_radius:
             condition = f"be less than the radius of the end, {mm(self.end_radius):g}"
-            raise InputError("height", self.height, condition, "give how far from the roller's axis the rib touches")
+            raise InputError("height", self.height, condition, _HEIGHT)
 
     @cross_check("height", "edge")
     def _check_edge(self) -> None:
@@ -99,7 +99,7 @@ class Rib(Input):
     def of_flank(
         cls, *, end_radius: float, angle: float, crown_radius: float | None = None, edge: float | None = None
     ) -> Rib:
-        """Return the rib whose flank is inclined by an angle [rad] against the plane square to the roller's axis."""
+        """Return the rib with a flank inclined by an angle [rad] to the plane square to the roller's axis."""
         positive("end_radius", end_radius, _END_RADIUS)
         not_negative("angle", angle, "give it in rad: half a degree is 0.0087")
         if angle >= 0.5 * math.pi:
@@ -108,7 +108,7 @@ class Rib(Input):
 
     @property
     def flank_angle(self) -> float:
-        """Angle of the flank against the plane square to the roller's axis, where it is touched [rad]."""
+        """Angle of the flank to the plane square to the roller's axis, at the contact [rad]."""
         return math.asin(self.height / self.end_radius)
 
 
@@ -118,13 +118,13 @@ class RibContact:
 
     ring: str  # "inner" or "outer": whose rib it is
     motion: Array  # approach per motion of ring against roller, shape (2, 3); there is no tilt
-    gap: float  # what a centred roller is short of touching it [mm]
+    gap: float  # gap between a centred roller and the rib [mm]
     radius_around: float  # combined radii of curvature around the bearing's axis
     radius_along: float  # and along the flank [mm]
     compliance: float  # of both bodies [1/MPa]
     height: float  # distance from the roller's axis [mm]
     radius: float  # and from the bearing's [mm]
-    room: float  # how far the contact may reach along the flank, to the edge of the roller's end or of the flank [mm]
+    room: float  # distance along the flank to the edge of the roller's end or of the flank [mm]
 
     def under(self, load: float) -> PointContact:
         """Return the contact under a load [N]."""
@@ -134,23 +134,23 @@ class RibContact:
 
     @cached_property
     def law(self) -> Slices:
-        """How it answers: by Hertz, with the power 1.5 of the approach, whatever the tilt."""
+        """Contact law: by Hertz, with the power 1.5 of the approach, independent of the tilt."""
         unit, middle = self.under(1.0), np.zeros(1)
         return Slices(middle, middle, unit.load / unit.approach**1.5, 1.5)
 
     def reaches_an_edge(self, load: float) -> bool:
-        """Return whether the ellipse under a load [N] reaches beyond the flank or the roller's end."""
+        """Return whether the ellipse under a load [N] extends beyond the flank or the roller's end."""
         return load > 0.0 and self.under(load).half_length > self.room
 
 
 @dataclass(frozen=True)
 class End:
-    """The end of a roller, on which ribs press."""
+    """The end of a roller, which touches ribs."""
 
     half: float  # half of the roller's length [mm]
     radius: float  # from the roller's axis to the edge of its end [mm]
-    inclined: float  # of the roller's axis against the bearing's, falling towards high x [rad]
-    pitch: float  # diameter of the circle of the rollers' middles [mm]
+    inclined: float  # angle of the roller's axis to the bearing's, falling towards high x [rad]
+    pitch: float  # pitch diameter [mm]
 
     def contact(self, rib: Rib, place: Place, gap: float, compliance: float) -> RibContact:
         """Return the contact with a rib.
@@ -164,11 +164,11 @@ class End:
             condition = f"be less than the radius of the rollers' ends, {mm(self.radius):.6g}"
             raise InputError("rib.height", rib.height, condition, _HEIGHT)
         ring, side = place
-        # Square to the roller's axis, towards the ring; and along the axis, from this end into the roller.
+        # Unit vectors: square to the roller's axis, towards the ring; along the axis, from this end into the roller.
         towards = np.array([-math.sin(self.inclined), -math.cos(self.inclined)]) * (1.0 if ring == "inner" else -1.0)
         along = np.array([math.cos(self.inclined), -math.sin(self.inclined)]) * -side
         normal = along * math.cos(rib.flank_angle) - towards * math.sin(rib.flank_angle)
-        # The sphere's centre lies on the roller's axis, and the normal goes through it.
+        # The sphere's centre lies on the roller's axis, and the normal passes through it.
         at = along * (rib.end_radius - self.half) - rib.end_radius * normal
         radius = 0.5 * self.pitch + float(at[1])
         around = 1.0 / rib.end_radius + float(normal[1]) / radius

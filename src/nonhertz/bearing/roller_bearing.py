@@ -1,4 +1,4 @@
-"""What all roller bearings of one row have in common: their fields, what they must meet, and their geometry."""
+"""Common part of all single-row roller bearings: their fields, conditions and geometry."""
 
 from __future__ import annotations
 
@@ -44,24 +44,24 @@ Array = NDArray[np.float64]
 
 
 class Inertia(NamedTuple):
-    """Mass of a roller and how it is spread."""
+    """Mass and moments of inertia of a roller."""
 
     mass: float  # [t]
-    middle: float  # where along the roller its centre of mass lies [mm]
+    middle: float  # position of the centre of mass along the roller [mm]
     polar: float  # moment of inertia about the roller's axis [t mm^2]
-    transverse: float  # and square to it about its centre of mass
+    transverse: float  # about a transverse axis through its centre of mass
 
 
 @input_class(kw_only=True)
 class RollerBearing(Input):
-    """Rollers in a row between an inner and an outer ring; use one of the classes made from it.
+    """A row of rollers between an inner and an outer ring; base of the classes for each kind.
 
     Shapes are functions of angles [rad] that return lengths [mm].
 
     Raises
     ------
     InputError
-        If the parts do not make a bearing.
+        If the parts do not form a bearing.
     """
 
     clearance_table: ClassVar[str] = "cylindrical"
@@ -85,7 +85,7 @@ class RollerBearing(Input):
     ] = None
     width: Annotated[
         float | None,
-        Quantity("mm", "width B, of tapered bearings T: for heat and axial loads", positive, "give the width in mm"),
+        Quantity("mm", "width B, or T of tapered bearings, for heat and axial loads", positive, "give the width in mm"),
     ] = None
     series: Annotated[
         str | None,
@@ -98,7 +98,7 @@ class RollerBearing(Input):
     tolerance_class: Annotated[
         str,
         Word(
-            "tolerance class of bore and outside diameter by ISO 492: 'Normal', '6' (of tapered bearings '6X') or '5'",
+            "tolerance class of bore and outside diameter by ISO 492: 'Normal', '6' ('6X' for tapered bearings) or '5'",
             "give the class of ISO 492",
             TOLERANCE_CLASSES,
         ),
@@ -107,8 +107,8 @@ class RollerBearing(Input):
         Shape | None,
         Quantity(
             "mm",
-            "how much less room the inner raceway leaves than a circle, over the angle, along the radius; of the "
-            "washers of a thrust bearing, how far they rise along the axis",
+            "out-of-roundness of the inner raceway: radial deviation against angle, positive for less room; for the "
+            "washer of a thrust bearing, axial deviation",
             function_of_angle,
             "give one, or leave it out",
         ),
@@ -121,7 +121,7 @@ class RollerBearing(Input):
         float | None,
         Quantity(
             "t/mm^3",
-            "density of the rollers, for what speed does; that of their material if left out: steel, or one of the "
+            "density of the rollers, for centrifugal loads; that of their material if left out: steel, or one of the "
             "library",
             positive,
             DENSITY,
@@ -144,13 +144,13 @@ class RollerBearing(Input):
         self._refuse_raceway("outer.diameter", self.outer.diameter, "negative: it is concave")
 
     def _refuse_raceway(self, name: str, diameter: Any, sign: str) -> None:
-        """Refuse a raceway that has no diameter of its sign."""
+        """Refuse a raceway without a diameter of the right sign."""
         if diameter is None:
             signed = ", negative, since it is concave" if sign.startswith("negative") else ""
-            raise InputError(name, None, "be given", f"give that of the raceway in mm{signed}")
+            raise InputError(name, None, "be given", f"give the raceway's diameter in mm{signed}")
         if callable(diameter) or not (diameter < 0.0 if sign.startswith("negative") else diameter > 0.0):
             one = "one number, " if callable(diameter) else ""
-            raise InputError(name, diameter, f"be {one}{sign}", "give that of the raceway in mm")
+            raise InputError(name, diameter, f"be {one}{sign}", "give the raceway's diameter in mm")
 
     @cross_check("bore", "inner")
     def _check_bore(self) -> None:
@@ -193,7 +193,7 @@ class RollerBearing(Input):
     def _check_clearance(self) -> None:
         radial = abs(self.radial_clearance or 0.0)
         if radial > MOST_CLEARANCE * self.pitch:
-            clearance = self.clearance_range.likely  # in the way in which it is given
+            clearance = self.clearance_range.likely  # axial or radial, as given
             most = abs(clearance) / radial * MOST_CLEARANCE * self.pitch
             condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
             raise InputError("clearance", clearance, condition, "give it in mm: 20 um are 0.02")
@@ -202,7 +202,7 @@ class RollerBearing(Input):
         "roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "design", "rib", "axial_clearance"
     )
     def _check_ribs(self) -> None:
-        # Those of cones are refused when they are solved.
+        # Ribs of tapered bearings are checked when the bearing is solved.
         if not self.nominal_angle:
             _ = self.rib_contacts
 
@@ -211,7 +211,7 @@ class RollerBearing(Input):
         self._refuse_crowd()
         diameter = self.roller_diameter
         room = 0.5 * self.play + diameter
-        # The diameters may be those with the clearance, or those without it.
+        # The diameters may or may not include the clearance.
         if 0.5 * min(abs(self.play), abs(self.play - (self.radial_clearance or 0.0))) > FITS * diameter:
             condition = (
                 f"fill the {mm(room):.6g} between raceways of {self.inner.diameter:g} and "
@@ -220,7 +220,7 @@ class RollerBearing(Input):
             raise InputError("roller.diameter", diameter, condition, "give the diameters of raceways and rollers in mm")
         inner, outer = self.contact_angles
         mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
-        # The middle between cones that meet in one point lies a little outside of the rollers' axis.
+        # The middle between cones with a common apex lies slightly outside the rollers' axis.
         within = (math.cos(2.0 * mean) + math.cos(2.0 * half)) / (2.0 * math.cos(mean) ** 2)
         middle = 0.5 * (float(self.inner.diameter) + abs(float(self.outer.diameter))) * within  # type: ignore[arg-type]
         if self.pitch_diameter is not None and abs(self.pitch_diameter - middle) > FITS * diameter:
@@ -231,18 +231,18 @@ class RollerBearing(Input):
 
     @property
     def _word(self) -> str:
-        """The kind as files name it; empty for others than they know."""
+        """The kind as named in files; empty for other classes."""
         return next((word for word, kind in self.kinds.items() if kind is type(self)), "")
 
     @property
     def of_series(self) -> dict[str, Any]:
-        """The published factors of its series; none if it is not known."""
+        """The published factors of its series; empty if it is not known."""
         return {} if self.series is None else series_table()[self._word][self.series]
 
     @property
     def play(self) -> float:
-        """What the diameters of raceways and rollers leave between them [mm]: no clearance, which is given as such."""
-        # Cones that meet in one point: their radial distance is measured along a line that is square to neither.
+        """Room between raceways and rollers by their diameters [mm]; not the clearance, which is given separately."""
+        # Cones with a common apex: their radial distance is measured along a line square to neither.
         inner, outer = self.contact_angles
         mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
         square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
@@ -250,7 +250,7 @@ class RollerBearing(Input):
 
     def _refuse_crowd(self) -> None:
         diameter, pitch = self.roller_diameter, self.pitch
-        # Thin rollers on a huge circle must not overflow.
+        # Thin rollers on a huge circle must not overflow an integer.
         most = int(math.pi / math.asin(min(1.0, max(1e-9, diameter / pitch))) + 1e-9)
         if pitch <= diameter or self.rollers > most:
             fit = "none fits" if pitch <= diameter else f"{most} fit side by side"
@@ -259,7 +259,7 @@ class RollerBearing(Input):
 
     @property
     def kind(self) -> str:
-        """What it is in words: a CylindricalRollerBearing is a cylindrical roller bearing."""
+        """The kind in words: "cylindrical roller bearing" for a CylindricalRollerBearing."""
         return "".join(f" {letter.lower()}" if letter.isupper() else letter for letter in type(self).__name__).strip()
 
     @property
@@ -279,14 +279,14 @@ class RollerBearing(Input):
 
     @property
     def pitch(self) -> float:
-        """Diameter of the circle of the rollers' middles [mm]."""
+        """Pitch diameter: of the circle of the rollers' centres [mm]."""
         if self.pitch_diameter is not None:
             return self.pitch_diameter
         return 0.5 * (float(self.inner.diameter) + abs(float(self.outer.diameter)))  # type: ignore[arg-type]
 
     @property
     def angles(self) -> Array:
-        """Where the rollers are, from y towards z [rad], shape (rollers,)."""
+        """Angular positions of the rollers, from y towards z [rad], shape (rollers,)."""
         positions: Array = 2.0 * np.pi * np.arange(self.rollers) / self.rollers
         return positions
 
@@ -302,27 +302,27 @@ class RollerBearing(Input):
 
     @property
     def bears_axially(self) -> tuple[bool, bool]:
-        """Whether the inner ring can bear an axial load along +x, and along -x."""
+        """Whether the inner ring can support an axial load along +x, and along -x."""
         return self.nominal_angle > 0.0, False
 
     @property
     def aligning_reach(self) -> float:
-        """How far below the rollers' middles along x a ring turns freely about a point [mm]; NaN if it does not."""
+        """Distance along -x from the rollers' centres to the point of free alignment [mm]; NaN if not self-aligning."""
         return math.nan
 
     @cached_property
     def rib_contacts(self) -> tuple[RibContact, ...]:
-        """The contacts of the rollers' ends with ribs that bear loads."""
+        """The contacts of the rollers' ends with ribs that support loads."""
         return ()
 
     @property
     def bears_radially(self) -> bool:
-        """Whether the inner ring can bear a radial load."""
+        """Whether the inner ring can support a radial load."""
         return self.nominal_angle <= MOST_ANGLE
 
     @property
     def clearance_range(self) -> Range:
-        """The clearance [mm]: of a group between its limits, axial of tapered bearings; zero of thrust bearings.
+        """The clearance [mm]: between the limits of a group; axial for tapered bearings, zero for thrust bearings.
 
         Raises
         ------
@@ -337,13 +337,13 @@ class RollerBearing(Input):
         return clearance_limits(clearance, self.bore, self.clearance_table)
 
     def at(self, clearance: str = "likely") -> Self:
-        """Return the bearing with the least, likely or greatest clearance of its group in place of that."""
+        """Return the bearing with the least, likely or greatest clearance of its group."""
         value = self.clearance_range.at(clearance)
         return replace(self, clearance=value) if hasattr(self, "clearance") else self  # type: ignore[call-arg]
 
     @property
     def radial_clearance(self) -> float | None:
-        """From one side to the other the inner ring moves by so much across the axis [mm]; None of thrust bearings.
+        """Radial internal clearance [mm]; None for thrust bearings.
 
         For a group, the mean of its limits.
         """
@@ -351,12 +351,12 @@ class RollerBearing(Input):
 
     @property
     def gap(self) -> float:
-        """What each of a roller's two contacts is short of touching when the ring is centred [mm]."""
+        """Gap at each of a roller's two contacts when the ring is centred [mm]."""
         return 0.25 * (self.radial_clearance or 0.0) * math.cos(self.nominal_angle)
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """The rows of rollers; one."""
+        """The rows of rollers: one."""
         return (Row(self),)
 
     @cached_property
@@ -366,7 +366,7 @@ class RollerBearing(Input):
 
     @property
     def effective_interval(self) -> tuple[float, float]:
-        """Where along their profiles rollers touch both rings, without corners and chamfers [mm].
+        """Interval along their profiles on which rollers can touch both rings, without corners and chamfers [mm].
 
         Its length is the effective roller length of ISO 281: that of the shortest contact.
         """
@@ -381,22 +381,22 @@ class RollerBearing(Input):
 
     @property
     def gaps(self) -> tuple[Array, Array]:
-        """What the contacts of every roller are short of touching [mm], at both rings."""
+        """Gaps of the contacts of every roller [mm], at both rings."""
         # Raceways deviate along the radius, washers along the axis; contacts close along their normals.
         along = [math.cos(angle) if self.bears_radially else 1.0 for angle in self.contact_angles]
         inner, outer = (self.gap - self._deviation(f"{ring}_shape") * by for ring, by in zip(RINGS, along, strict=True))
         return inner, outer
 
     def _at_contact(self, ring: Body, angle: float) -> float:
-        """Return the diameter of a raceway square to its generator, where a roller's middle touches it [mm].
+        """Return the diameter of a raceway square to its generator, at the contact with a roller's middle [mm].
 
-        The contact lies off the radial line through the roller's middle, on which the raceway's diameter is given.
+        The contact lies off the radial line through the roller's centre, on which the raceway's diameter is given.
         """
         on_line = float(ring.diameter)  # type: ignore[arg-type]
         return on_line / math.cos(angle) + self.roller_diameter * math.tan(angle) ** 2
 
     def _end(self, radius: float, inclined: float = 0.0) -> End:
-        """Return the end of a roller of a radius [mm] there."""
+        """Return the end of a roller, of radius ``radius`` [mm]."""
         corner = self.roller.corner_radius or 0.0
         if self.roller.chamfer is not None:
             corner = self.roller.chamfer.length * math.tan(self.roller.chamfer.angle)
@@ -409,7 +409,7 @@ class RollerBearing(Input):
         return {name: roller + getattr(self, name).material.compliance for name in RINGS}
 
     def _deviation(self, name: str) -> Array:
-        """Return how much less room there is for each roller than a circle leaves [mm]."""
+        """Return the deviation from a circle at each roller [mm], positive for less room."""
         shape, remedy = getattr(self, name), "let it return lengths in mm, one for each angle"
         if shape is None:
             return np.zeros(self.rollers)
@@ -430,12 +430,12 @@ class RollerBearing(Input):
 
     @property
     def roller_density(self) -> float | None:
-        """Density of the rollers, as given or that of their material [t/mm^3]; None of a material without a name."""
+        """Density of the rollers, as given or of their material [t/mm^3]; None for an unnamed material."""
         return density_of(self.roller.material) if self.density is None else self.density
 
     @cached_property
     def inertia(self) -> Inertia:
-        """What the rollers' mass is and how it is spread; barrels are taken as cylinders."""
+        """Mass and moments of inertia of the rollers; barrels are treated as cylinders."""
         at = np.linspace(-0.5, 0.5, 201) * self.roller_length
         squares = np.zeros((2, at.size))
         for row, across in zip(squares, (self.roller.diameter, self.roller.bore), strict=True):
@@ -457,7 +457,7 @@ class RollerBearing(Input):
         Parameters
         ----------
         inner_speed, outer_speed : float
-            Speeds of the rings [1/min]; of washers, of the shaft's and of the housing's.
+            Speeds of the rings, or of the shaft and housing washers [1/min].
 
         Raises
         ------
@@ -466,17 +466,17 @@ class RollerBearing(Input):
 
         Notes
         -----
-        The contact angle is the mean of those of both rings, which is that of the rollers' axes.
+        The contact angle is the mean of those at both rings, the angle of the rollers' axes.
         """
         size = self.roller_diameter / self.pitch
         ratio = size * math.cos(0.5 * sum(self.contact_angles))
         return rolling(self.rollers, size, ratio, inner_speed, outer_speed)
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
-        """Return what the speed of a turning ring [rad/s] loads every roller with: along x and r and as moment.
+        """Return the load on every roller due to the speed of a turning ring [rad/s]: along x and r, and the moment.
 
-        The roller's axis e is led around the bearing's by the cage while the roller spins about e the other way. What
-        loads it is -d/dt of its momentum, and of its angular momentum about its centre of mass.
+        The cage moves the roller's axis e around the bearing's while the roller spins about e in the opposite
+        direction. The load is -d/dt of its momentum, and of its angular momentum about its centre of mass.
         """
         finite("speed", speed, "give it in rad/s")
         one_of("turning", turning, RINGS, "name the ring that turns")
@@ -488,7 +488,7 @@ class RollerBearing(Input):
         speeds = (speed, 0.0) if turning == "inner" else (0.0, speed)
         cage, spin = cage_speed(*speeds, ratio), roller_speed(*speeds, ratio, size)
         centrifugal = roller.mass * cage**2 * (0.5 * self.pitch - roller.middle * math.sin(inclined))
-        # Of the angular momentum, what is square to the bearing's axis turns with the cage.
+        # The component of the angular momentum square to the bearing's axis turns with the cage.
         along = roller.polar * (spin + cage * math.cos(inclined))
         across = roller.transverse * cage * math.cos(inclined)
         gyroscopic = cage * math.sin(inclined) * (along - across)

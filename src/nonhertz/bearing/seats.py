@@ -19,7 +19,7 @@ from nonhertz.model.materials import NamedMaterial
 REFERENCE = 20.0  # degC, at which dimensions are given
 COLDEST, HOTTEST = -273.15, 1000.0  # degC
 MOST_EXPANSION = 1e-3  # 1/K
-MOST_INTERFERENCE = 0.01  # of the diameter: ten times what elastic steel bears
+MOST_INTERFERENCE = 0.01  # of the diameter: ten times the elastic strain limit of steel
 IN_TONNES = "give it in t/mm^3, 7.85e-9 for steel"
 IN_MM = "give it on the diameter in mm: 20 um are 0.02"
 
@@ -35,31 +35,31 @@ def _outside(name: str, value: float, remedy: str) -> None:
         positive(name, value, remedy)
 
 
-_BORE = "give that of a hollow shaft in mm, 0 for a solid one"
-_OUTSIDE = "give that of the housing in mm, or leave it out for an endless one"
+_BORE = "give the bore of a hollow shaft in mm, 0 for a solid one"
+_OUTSIDE = "give the outside diameter of the housing in mm, or leave it out for an infinite one"
 
 
 def of_temperature(part: str, usual: str = "") -> Quantity:
-    """Return what the temperature of a part says of itself."""
+    """Return the description of the temperature of a part."""
     meaning = f"temperature of the {part} in degrees Celsius, a plain number{usual and f'; {usual} if left out'}"
     return Quantity("", meaning, _temperature, "give it in degC")
 
 
 def of_expansion(part: str) -> Quantity:
-    """Return what the thermal expansion of a part says of itself."""
+    """Return the description of the thermal expansion of a part."""
     meaning = f"thermal expansion of the {part} per kelvin, a plain number; that of its material if left out"
     return Quantity("", meaning, _expansion, "give it in 1/K, 12.5e-6 for bearing steel")
 
 
 def of_density(part: str) -> Quantity:
-    """Return what the density of a part says of itself."""
+    """Return the description of the density of a part."""
     return Quantity("t/mm^3", f"density of the {part}; that of its material if left out", positive, IN_TONNES)
 
 
 def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
     return Word(
-        f"tolerance class of the {part} by ISO 286, such as '{example}', which with that of the bearing leaves the "
-        "interference between limits",
+        f"tolerance class of the {part} by ISO 286, such as '{example}', which with the class of the bearing gives "
+        "limits of the interference",
         f"give a class such as '{example}', or the interference in mm",
         classes,
         noun="tolerance class",
@@ -68,7 +68,7 @@ def _of_class(part: str, classes: tuple[str, ...], example: str) -> Word:
 
 @input_class(kw_only=True)
 class Seat(Input):
-    """What shaft and housing have in common."""
+    """Common fields of shaft and housing."""
 
     diameter: Annotated[
         float | None,
@@ -76,7 +76,7 @@ class Seat(Input):
             "mm",
             "the diameter of the seat; the bearing's bore d, or its outside diameter D, if left out",
             positive,
-            "give that of the seat in mm",
+            "give the diameter of the seat in mm",
         ),
     ] = None
     fit: Annotated[str | None, _of_class("seat", (*SHAFTS, *HOUSINGS), "k5")] = None
@@ -84,8 +84,8 @@ class Seat(Input):
         float | None,
         Quantity(
             "mm",
-            "by how much the part that is inside is larger than the one around it, on the diameter, both at 20 degrees "
-            "Celsius and unmounted, in place of what the class leaves open; negative for a loose fit",
+            "interference on the diameter: inside part minus outside part, both unmounted at 20 degrees Celsius, in "
+            "place of a class; negative for a loose fit",
             finite,
             IN_MM,
         ),
@@ -95,7 +95,7 @@ class Seat(Input):
         float,
         Quantity(
             "mm",
-            "what pressing flattens of the roughness of both surfaces, and an interference so loses, on the diameter",
+            "loss of interference by asperity flattening of both surfaces, on the diameter",
             not_negative,
             IN_MM,
         ),
@@ -118,12 +118,12 @@ class Seat(Input):
 
     @property
     def may_press(self) -> bool:
-        """Whether the parts may press on each other; not by a loose fit that is measured."""
+        """Whether the fit may have a pressure; a measured loose fit has none."""
         return self.effective_interference > 0.0 or (self.interference is None and self.fit is not None)
 
     @property
     def effective_interference(self) -> float:
-        """What is left of the interference when the roughness is flattened; a loose fit flattens nothing."""
+        """Interference after asperity flattening, which does not affect a loose fit."""
         interference = self.interference or 0.0
         return max(interference - self.smoothing, min(interference, 0.0))
 
@@ -135,12 +135,12 @@ class Shaft(Seat):
     Raises
     ------
     InputError
-        If the shaft cannot be.
+        If the shaft is impossible.
 
     Notes
     -----
-    For smoothing DIN 7190 takes 0.8 (Rz_1 + Rz_2), and NSK leaves d / (d + 2) of the interference of a ground shaft, d
-    in mm; both are recalled.
+    For smoothing DIN 7190 has 0.8 (Rz_1 + Rz_2); NSK retains d / (d + 2) of the interference of a ground shaft, d in
+    mm; both are recalled.
     """
 
     ring: ClassVar[str] = "inner"
@@ -165,7 +165,7 @@ class Housing(Seat):
     Raises
     ------
     InputError
-        If the housing cannot be.
+        If the housing is impossible.
     """
 
     ring: ClassVar[str] = "outer"
@@ -173,19 +173,19 @@ class Housing(Seat):
     fit: Annotated[str | None, _of_class("housing", HOUSINGS, "H7")] = None
     outside_diameter: Annotated[
         float,
-        Quantity("mm", "the diameter of the housing as a ring; endless if left out", _outside, _OUTSIDE),
+        Quantity("mm", "the outside diameter of the housing as a ring; infinite if left out", _outside, _OUTSIDE),
         Assumed("endless housing", IN_OPERATION, lambda seat: seat.may_press),
     ] = math.inf
 
     @cross_check("diameter", "outside_diameter")
     def _check_outside(self) -> None:
         if self.diameter is not None and self.outside_diameter <= self.diameter:
-            condition = f"exceed that of the seat of {mm(self.diameter):g}"
+            condition = f"exceed the diameter of the seat, {mm(self.diameter):g}"
             raise InputError("outside_diameter", self.outside_diameter, condition, _OUTSIDE)
 
 
 def seat_diameter(seat: Shaft | Housing, bearing: RollerBearing) -> float:
-    """Return the diameter of a seat [mm]: that of the bearing, if the seat has none."""
+    """Return the diameter of a seat [mm]; that of the bearing if none is given."""
     name = "bore" if seat.ring == "inner" else "outside_diameter"
     diameter: float | None = getattr(bearing, name) if seat.diameter is None else seat.diameter
     if diameter is None:
@@ -194,13 +194,13 @@ def seat_diameter(seat: Shaft | Housing, bearing: RollerBearing) -> float:
 
 
 def interference_field(seat: Shaft | Housing) -> str:
-    """Return the field from which the interference of a seat comes, such as ``shaft.fit``."""
+    """Return the field that determines the interference of a seat, such as ``shaft.fit``."""
     name = "shaft" if seat.ring == "inner" else "housing"
     return f"{name}.{'interference' if seat.fit is None or seat.interference is not None else 'fit'}"
 
 
 def seat_interference(seat: Shaft | Housing, bearing: RollerBearing) -> Range:
-    """Return the interference that the class leaves, or the one that is measured [mm].
+    """Return the interference by the class, or the measured one [mm].
 
     Raises
     ------

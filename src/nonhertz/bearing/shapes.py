@@ -1,11 +1,11 @@
-"""Shapes of rings that are not round, as values: from numbers at angles, or from Fourier terms, and sums of them.
+"""Out-of-round shapes of rings as values: from numbers at angles, or from Fourier terms, and sums of them.
 
-A shape is a function of the angle [rad] from y towards z that returns how much less room a raceway leaves there than a
-circle does [mm]: positive where an inner raceway bulges outwards or an outer one inwards. Shapes are compared by what
-they hold, unlike functions, so that bearings with equal shapes are equal.
+A shape is a function of the angle [rad] from y towards z that returns the deviation from a circle [mm], positive for
+less room: where an inner raceway bulges outwards or an outer one inwards. Shapes are compared by their numbers, unlike
+functions, so that bearings with equal shapes are equal.
 
-Bearings are solved at rest. An outer ring's shape stands still, in a housing that ovals; that of an inner ring turns
-with it, and what is solved is one moment: `RingShape.turned` gives the others.
+Bearings are solved at rest. An outer ring's shape is stationary, as in an oval housing; an inner ring's shape turns
+with it, and a solution holds for one instant: `RingShape.turned` gives others.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ MOST_ORDER = 10_000
 MOST_POINTS = 100_000
 _TURN = 2.0 * math.pi
 _CLOSED = 1e-9  # of a turn, within which two angles are the same
-# Of a turn, and of the smallest step: so far off may a rounded last angle be that closes the ring, such as 6.2832 rad.
+# Of a turn, and of the smallest step: permitted error of a rounded last angle that closes the ring, such as 6.2832 rad.
 _ROUNDED, _OF_STEP = 1e-4, 0.1
 _ANGLES = "give a row of angles in rad, within one turn"
 _DEVIATIONS = "give as many lengths in mm as angles"
@@ -47,13 +47,13 @@ class Wave(Input):
     waves: Annotated[
         int,
         Count(
-            "the number of waves around the ring: 0 is a ring too small or too large, 1 one off its centre, 2 an oval",
+            "the number of waves around the ring: 0 is a size error, 1 an eccentricity, 2 an oval",
             0,
             MOST_ORDER,
             "give the number of waves around the ring",
         ),
     ]
-    amplitude: Annotated[float, Quantity("mm", "its amplitude, half of what it is from crest to trough")]
+    amplitude: Annotated[float, Quantity("mm", "its amplitude, half the height from trough to crest")]
     phase: Annotated[float, Quantity("rad", "angle of a crest, from y towards z; a crest leaves least room")] = 0.0
 
 
@@ -93,14 +93,14 @@ class Waves(Input):
 
 @input_class()
 class Deviations(Input):
-    """A ring's shape from deviations at angles, in ascending order; what follows the last is the first."""
+    """A ring's shape from deviations at angles, in ascending order; the first follows the last."""
 
     angle: Annotated[tuple[float, ...], Quantities("rad", "angles from y towards z, within one turn")]
     deviation: Annotated[
-        tuple[float, ...], Quantities("mm", "how much less room there is at these angles than in a circle")
+        tuple[float, ...], Quantities("mm", "deviations from a circle at these angles, positive for less room")
     ]
     curve: Annotated[
-        Curve, Word("what goes through them: 'cubic' or 'linear'", "write 'cubic' or 'linear'", get_args(Curve))
+        Curve, Word("curve through them: 'cubic' or 'linear'", "write 'cubic' or 'linear'", get_args(Curve))
     ] = "cubic"
 
     def __post_init__(self) -> None:
@@ -164,41 +164,41 @@ class Deviations(Input):
 
 @dataclass(frozen=True)
 class RingShape:
-    """How far a raceway is from a circle; called with angles [rad], it returns lengths [mm].
+    """Deviation of a raceway from a circle; called with angles [rad], it returns lengths [mm].
 
     Made with `fourier_shape`, `tabulated_shape` and ``+``.
 
     Attributes
     ----------
     parts : tuple
-        What it is the sum of.
+        The terms of the sum.
     """
 
     parts: tuple[Waves | Deviations, ...]
 
     def __call__(self, angle: ArrayLike) -> Array:
-        """Return how much less room there is at angles than a circle leaves.
+        """Return the deviation from a circle at angles, positive for less room.
 
         Parameters
         ----------
         angle : array_like
-            From y towards z [rad].
+            Angles from y towards z [rad].
 
         Returns
         -------
         array
-            [mm].
+            Deviations [mm], of the shape of ``angle``.
         """
         places = numbers("angle", angle, "give angles in rad")
         return np.asarray(np.sum([part.at(places) for part in self.parts], axis=0))
 
     def turned(self, by: float) -> RingShape:
-        """Return the shape of the ring when it has turned.
+        """Return the shape of the ring after a rotation.
 
         Parameters
         ----------
         by : float
-            From y towards z [rad].
+            Angle of rotation from y towards z [rad].
         """
         finite("by", by, "give the angle in rad")
         return RingShape(tuple(part.changed(float(by), 1.0) for part in self.parts))
@@ -209,7 +209,7 @@ class RingShape:
         Parameters
         ----------
         by : float
-            -1 where they are positive for more room.
+            Factor; -1 if deviations are positive for more room.
         """
         finite("by", by, "give a number")
         return RingShape(tuple(part.changed(0.0, float(by)) for part in self.parts))
@@ -225,7 +225,7 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
     ----------
     terms : mapping of int to float or (float, float)
         Order n -> amplitude a [mm], or amplitude and angle of a crest [rad]: the sum of a cos(n (angle - crest)). Order
-        0 is a ring that is too small or too large, 1 one off its centre, 2 an oval.
+        0 is a size error, 1 an eccentricity, 2 an oval.
 
     Returns
     -------
@@ -235,7 +235,7 @@ def fourier_shape(terms: Mapping[int, float | tuple[float, float]]) -> RingShape
     Raises
     ------
     InputError
-        If an order or its amplitude is not one.
+        If an order or amplitude is invalid.
 
     Examples
     --------
@@ -264,13 +264,13 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     Parameters
     ----------
     angle : array_like, shape (n,)
-        From y towards z [rad], n at least 2, within one turn, in any order. A last one that is a turn after the first
-        closes the ring and has the same deviation.
+        Angles from y towards z [rad], n at least 2, within one turn, in any order. An angle one turn after the first
+        closes the ring and must have the same deviation.
     deviation : array_like, shape (n,)
-        How much less room there is [mm].
+        Deviations from a circle [mm], positive for less room.
     curve : {"cubic", "linear"}
-        What goes through the numbers: the periodic cubic spline, with continuous curvature, or straight lines. Both
-        close the ring; through two numbers only lines go.
+        Curve through the numbers: the periodic cubic spline, with continuous curvature, or straight lines. Both close
+        the ring; two numbers allow only lines.
 
     Returns
     -------
@@ -280,7 +280,7 @@ def tabulated_shape(angle: ArrayLike, deviation: ArrayLike, curve: Curve = "cubi
     Raises
     ------
     InputError
-        If angles and deviations do not go around a ring once.
+        If angles and deviations do not describe one turn of a ring.
 
     Examples
     --------

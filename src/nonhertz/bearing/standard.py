@@ -1,9 +1,9 @@
-"""What ISO/TS 16281 makes of a bearing: independent slices under every roller.
+"""Contacts of a bearing by ISO/TS 16281: independent slices of every roller.
 
-A roller between two raceways is cut into slices, whose loads are those of `nonhertz.life.lamina`. Of two equal contacts
-in series each has half of the deflection, and half of the relief of both: where rings are of different materials, half
-of the deflection of both, which is as the power 0.9 of their compliances. Rollers are solid ones
-(docs/explain/standards.md says what of it was compared with what).
+A roller between two raceways is cut into slices with the loads of `nonhertz.life.lamina`. Each of two equal contacts in
+series has half of the deflection, and half of the combined relief; with rings of different materials, half of their
+total deflection, which grows with the power 0.9 of their compliances. Rollers are solid. docs/explain/standards.md
+lists the comparisons made.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ def standard_slices(bearing: RollerBearing, laminae: int = LAMINAE) -> Slices:
 
 
 def slice_loads(solution: BearingSolution, laminae: int = LAMINAE) -> list[tuple[Slices, Array]]:
-    """Return the slices of each row of a bearing that was solved by so many, and the loads of all [N].
+    """Return the slices of each row of a bearing solved with this number of laminae, and their loads [N].
 
-    The latter, of shape (rollers, 2, laminae), are those of every contact; zero where it bears none.
+    Loads have the shape (rollers, 2, laminae); zero for unloaded contacts.
     """
     rows = []
     for row in solution.bearing.rows:

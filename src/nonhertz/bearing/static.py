@@ -1,9 +1,9 @@
-"""How far the largest pressure in a bearing is from what its steel bears at rest.
+"""Static safety of a bearing by the largest pressure.
 
-ISO 76 puts the static rating where 4000 MPa leave a permanent dent of 1e-4 of the roller's diameter. The safety here
-is how many times its load the contact with the largest pressure could carry before it reaches the limit, at its tilt,
-found with the contact itself. Of Hertz's line contact that would be (4000 / p)^2; where profiles or a tilt matter it is
-not, since the load then spreads or goes to an end.
+ISO 76 defines the static rating by 4000 MPa, which leave a permanent dent of 1e-4 of the roller's diameter. The safety
+here is the factor on the load of the contact with the largest pressure at which it reaches the limit, at constant tilt,
+from a solution of the contact itself. For Hertz's line contact it would be (4000 / p)^2; profiles or a tilt change it,
+since the load then spreads along the roller or shifts to an end.
 """
 
 from __future__ import annotations
@@ -24,30 +24,29 @@ _EXACT = 1e-6
 
 
 def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
-    """Return the load at which the contact with the largest pressure reaches a limit, over its load [-].
+    """Return the load at which the contact with the largest pressure reaches a limit over its load [-].
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing, solved by strips.
     limit : float
-        [MPa].
+        Pressure limit [MPa].
 
     Returns
     -------
     float
-        Infinite where nothing is loaded; below 1 where the limit is exceeded.
+        The safety; infinite where nothing is loaded, below 1 where the limit is exceeded.
 
     Raises
     ------
     InputError
-        If the bearing was solved by slices, or a loaded contact has an end towards which the pressure has no limit.
+        If the bearing was solved by slices, or the pressure is singular at an end of a loaded contact.
 
     Notes
     -----
-    The load of that one contact grows at the tilt that it has. In the bearing a larger load reaches more rollers and
-    spreads over them, so that the bearing's load may grow by more, and tilts may change: solve it under the larger load
-    to be sure.
+    Only the load of that contact is raised, at its tilt. In the bearing a larger load is shared by more rollers, so
+    that the bearing's load may grow by more, and tilts may change: solve it under the larger load to be sure.
 
     Examples
     --------
@@ -62,7 +61,7 @@ def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
         raise InputError("solution", solution, "be a loaded bearing", "solve one with nonhertz.bearing.solve")
     positive("limit", limit, "give the pressure in MPa, 4000 by ISO 76")
     if ends := singular_ends(solution):
-        condition = f"have ends at which the pressure has a limit, and has none towards {ends_in_words(ends)}"
+        condition = f"have finite pressure at its ends, but it is singular towards {ends_in_words(ends)}"
         raise InputError("solution", "a loaded bearing", condition, "give the rollers a corner_radius or a profile")
     contacts = [contact.solved for contact in solution.distinct_contacts]
     return _factor(max(contacts, key=lambda contact: contact.max_pressure), limit) if contacts else math.inf

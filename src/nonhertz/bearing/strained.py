@@ -1,4 +1,4 @@
-"""What strains the model of a loaded bearing: its contacts by strips, ribs whose contacts reach an edge, bores."""
+"""Strains of the model of a loaded bearing: contacts by strips, rib contacts that reach an edge, bores."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
 
 
 def findings_of(solution: BearingSolution) -> tuple[Finding, ...]:
-    """Return what strains the model; of findings of one kind the first, from the most loaded roller down."""
+    """Return the strains of the model; of each kind the first finding, from the most loaded roller down."""
     findings = _of_strips(solution) if solution.method == "strips" else []
     findings += _of_ribs(solution)
     if solution.method == "slices" and any(is_hollow(row.bearing.roller) for row in solution.bearing.rows):
-        words = "Slices take hollow rollers as solid ones, which are stiffer: solve the bearing by strips."
+        words = "Slices treat hollow rollers as solid ones, which are stiffer: solve the bearing by strips."
         findings.append(finding("hollow-by-slices", words))
     return tuple(findings)
 
 
 def _of_ribs(solution: BearingSolution) -> list[Finding]:
-    """Return which ring's most loaded rib has a contact that reaches an edge."""
+    """Return a finding for each ring whose most loaded rib contact reaches an edge."""
     findings = []
     for ring in RINGS:
         most = [
@@ -45,7 +45,7 @@ def _of_ribs(solution: BearingSolution) -> list[Finding]:
 
 
 def _of_strips(solution: BearingSolution) -> list[Finding]:
-    """Return what strains contacts, with a count of those alike."""
+    """Return the strains of contacts, with the number of similar ones."""
     first: dict[str, tuple[str, Finding]] = {}
     times: Counter[str] = Counter()
     rank = np.argsort(np.argsort(-solution.load.max(axis=1), kind="stable"))

@@ -1,6 +1,6 @@
-"""Contacts of rollers by the strip-element method, each on strips that are kept from one step to the next.
+"""Contacts of rollers by the strip-element method, each on strips that are reused from one step to the next.
 
-The core lays and solves them; see ``src/core/bearing/strip_law.hpp``.
+The core lays and solves the strips; see ``src/core/bearing/strip_law.hpp``.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def cut_into_strips(contact: Contact, element: Element = SEMI_ELLIPTIC) -> core.
 
 
 def no_solution_error(error: core.Unsolved) -> ConvergenceError:
-    """Return the error that says where a roller has no solution, and the way out."""
+    """Return the error of a roller contact without a solution, with a remedy."""
     approach, tilt = error.args
     at = f"a roller pressed {um(approach):.4g} into its raceway at a tilt of {mrad(tilt):.4g} has no solution"
     remedy = "give smaller loads or displacements, or check their units"

@@ -1,13 +1,13 @@
-"""How a plain ring answers pressure on its faces and its own speed: Lamé's solution and that of a rotating disc.
+"""A plain ring under pressure on its faces and rotation: Lamé's solution and that of a rotating disc.
 
-A ring between the radii a and b, thin along its axis, so that no stress acts along it (plane stress). Pressures p
-inside and q outside, and a speed omega, give
+The ring between the radii a and b is in plane stress, without axial stress. Pressures p inside and q outside, and a
+speed omega, give
 
     sigma_r = A - B / r^2 - (3 + nu) / 8 rho omega^2 r^2
     sigma_t = A + B / r^2 - (1 + 3 nu) / 8 rho omega^2 r^2        E u = r (sigma_t - nu sigma_r)
 
-with A and B from sigma_r(a) = -p and sigma_r(b) = -q. In a disc without a hole B = 0; around a hole in an endless plate
-at rest A = -q. Everything is linear in p, q and omega^2 together, so that one routine serves all.
+with A and B from sigma_r(a) = -p and sigma_r(b) = -q. In a disc without a hole B = 0; around a hole in an infinite
+plate at rest A = -q. All results are linear in p, q and omega^2, so that one routine serves all cases.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ class ThickRing:
         return mean + share / radius**2 - (1.0 + 3.0 * nu) / 8.0 * body * radius**2
 
     def radial_stress(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
-        """Return the radial stress at a radius [MPa], negative where pressed."""
+        """Return the radial stress at a radius [MPa], negative in compression."""
         mean, share, body = self._constants(inside, outside, speed)
         return mean - share / radius**2 - (3.0 + self.material.poisson) / 8.0 * body * radius**2
 
     def growth(self, radius: float, *, inside: float = 0.0, outside: float = 0.0, speed: float = 0.0) -> float:
-        """Return by how much a radius grows [mm]."""
+        """Return the growth of a radius [mm]."""
         loads = {"inside": inside, "outside": outside, "speed": speed}
         strained = self.hoop_stress(radius, **loads) - self.material.poisson * self.radial_stress(radius, **loads)
         return radius * strained / self.material.modulus

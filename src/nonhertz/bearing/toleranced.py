@@ -1,4 +1,4 @@
-"""What the limits of classes leave open of a bearing: its interferences, its clearance, and what follows from that."""
+"""Ranges of a bearing's results by the limits of its classes: interferences, clearance and dependent results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.result.brief import HasHtml
 
 _LIVES: Final = ("reference_life", "modified_life")
-#: The numbers of a result that are known at the least, the likely and the greatest clearance.
+#: Results given at the least, the likely and the greatest clearance.
 AT_LIMITS: Final = ("max_pressure", *_LIVES)
 #: Their values at one of these.
 Numbers = Mapping[str, float]
@@ -31,8 +31,8 @@ class Tolerances(HasHtml):
     clearance : ClearanceRanges
         Interferences and clearance of a row.
     results : mapping of str to Range
-        By the names of quantities: what it is at the least, the likely and the greatest clearance, whichever is larger;
-        NaN where there is none.
+        By quantity: its values at the least, the likely and the greatest clearance, the smaller limit first; NaN if it
+        has none.
     """
 
     clearance: ClearanceRanges
@@ -40,12 +40,12 @@ class Tolerances(HasHtml):
 
     @classmethod
     def of(cls, clearance: ClearanceRanges, least: Numbers, likely: Numbers, greatest: Numbers) -> Tolerances:
-        """Return them with results at the three clearances."""
+        """Return the tolerances with results at the three clearances."""
         return cls(clearance, {name: Range(least[name], likely[name], greatest[name]) for name in AT_LIMITS})
 
 
 def numbers_of(solution: BearingSolution | None, life: BearingLife | None) -> Numbers:
-    """Return these numbers of a loaded bearing; NaN where there is none."""
+    """Return these results of a loaded bearing; NaN where there is none."""
     pressed = math.nan
     if solution is not None:
         pressed = float(QUANTITIES["max_pressure"].get(SimpleNamespace(solution=solution)))
