@@ -16,7 +16,7 @@ Assembly::Assembly(std::vector<Small<3, 5>> ring_of, const std::vector<Joint>& j
   for (const Small<3, 5>& at : ring)
     for (const Vector<5>& row : at)
       for (Index b = 0; b < 5; ++b) reach[b] = std::max(reach[b], std::abs(row[b]));
-  // A single roller does not feel what moves across it.
+  // A single roller is not affected by motions across it.
   reach[1] = reach[2] = std::max(reach[1], reach[2]);
   reach[3] = reach[4] = std::max(reach[3], reach[4]);
 }

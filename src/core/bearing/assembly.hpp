@@ -1,4 +1,4 @@
-// Rollers between an inner ring, which moves, and an outer one at rest: what stays while their balance is sought.
+// Rollers between an inner ring, which moves, and an outer ring at rest: the data that are constant during the search.
 #pragma once
 
 #include "bearing/law.hpp"
@@ -10,9 +10,9 @@ namespace nonhertz {
 struct Joint {
   bool inner;          ///< whether the other body is the inner ring
   Small<2, 3> motion;  ///< approach and tilt per motion of ring against roller
-  Numbers gap;         ///< what the approach of a centred ring and roller is short of contact [mm], for each roller
+  Numbers gap;         ///< gap between a centred ring and roller [mm], for each roller
   Law law;
-  Index column;  ///< which of a roller's contacts it is, from 0
+  Index column;  ///< index of the contact among a roller's, from 0
   Index first;   ///< the number of the row's first roller
 };
 
@@ -23,21 +23,21 @@ struct RollerContact {
   bool inner = false;
   Index law = NO_LAW;
 
-  static constexpr Index NO_LAW = -1;  ///< of a contact that the roller does not have
+  static constexpr Index NO_LAW = -1;  ///< for a contact that the roller does not have
 };
 
-/// A law that is asked for many contacts at once, and whose they are.
+/// A law that is evaluated for many contacts at once, and the rollers with these contacts.
 struct Group {
   std::shared_ptr<GroupLaw> law;
   Index first, end;            ///< rollers
-  std::vector<Index> columns;  ///< which of their contacts
+  std::vector<Index> columns;  ///< indices of their contacts
 };
 
 class Assembly {
  public:
   /// The ring's motion at each roller per motion of the inner ring; the load on every roller along x, along r, and its
-  /// moment [N, N, N mm]; a lever by which rotations of rollers are made comparable with displacements [mm]; and about
-  /// the load on a roller per deflection to the power 10/9 [N].
+  /// moment [N, N, N mm]; a lever that makes rotations of rollers comparable with displacements [mm]; and the
+  /// approximate load on a roller per deflection to the power 10/9 [N].
   Assembly(std::vector<Small<3, 5>> ring, const std::vector<Joint>& joints, std::vector<Vector<3>> load, double lever,
            double stiffness);
 
@@ -50,9 +50,9 @@ class Assembly {
 
   std::vector<Small<3, 5>> ring;
   std::vector<Vector<3>> load;
-  Index columns;  ///< the most contacts that a roller has
+  Index columns;  ///< largest number of contacts of a roller
   Vector<3> scale;
-  Vector<5> reach;  ///< lever arms that make forces of the ring's moments, and displacements of its rotations
+  Vector<5> reach;  ///< lever arms that convert the ring's moments to forces, and its rotations to displacements
   double stiffness;
 
  private:

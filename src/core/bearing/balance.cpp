@@ -1,4 +1,4 @@
-// The search as a whole, and the steps of the ring; those of rollers are in rollers.cpp.
+// The search as a whole, and the steps of the ring; the steps of rollers are in rollers.cpp.
 #include "bearing/balance.hpp"
 
 #include <limits>
@@ -6,14 +6,14 @@
 namespace nonhertz {
 namespace {
 
-constexpr double OF_ROLLER = 0.1;  // what may be left of the balance of a roller, over the ring's tolerance
-constexpr double NO_LOAD = 1e-8;   // of the largest: what is left of the balance of a roller that has lifted off
-// Ring and rollers step together while what is left of the balance, over the loads, is below the first, and every step
-// leaves no more than this share of it.
+constexpr double OF_ROLLER = 0.1;  // permitted residual of a roller's balance, over the ring's tolerance
+constexpr double NO_LOAD = 1e-8;   // of the largest load: residual of the balance of a roller that has lifted off
+// Ring and rollers step together while the residual of the balance, over the loads, is below the first, and every step
+// reduces it to at most this fraction.
 constexpr double CLOSE = 0.5, LEADS_ON = 0.3;
-constexpr double MOST_STRAY = 0.4;  // of the rollers, that may first have to come near to it by themselves
-// Of questions to slices and maps: of 5,000 random bearings none took 2,000. Of questions to the contacts of one roller
-// where they have to be solved: random bearings take 50 at most.
+constexpr double MOST_STRAY = 0.4;  // fraction of the rollers that may first have to approach their balance separately
+// Largest numbers of evaluations of slices and maps (of 5,000 random bearings none took 2,000), and of the contacts of
+// one roller where they have to be solved (random bearings take 50 at most).
 constexpr int MOST_ROUNDS = 10'000, MOST_ASKED = 100;
 
 }  // namespace
@@ -50,7 +50,7 @@ Equilibrium Balance::found(const Stop& stop) {
   return state;
 }
 
-/// Let contacts answer that are asked; return whether they still may.
+/// Evaluate the requested contacts; return whether the limit of evaluations is not yet exceeded.
 bool Balance::answer(const Stop& stop) {
   const bool solved = !assembly_.groups().empty();
   int most = 0;
@@ -86,8 +86,8 @@ void Balance::answer(const Group& group, const Stop& stop) {
     for (const Index c : group.columns) rollers_[number - first_number_].answers[c] = *next++;
 }
 
-/// Take the answers, and move to where contacts are to be asked next; return whether any are, else the balance is found
-/// or no step is left.
+/// Use the results, and move to where contacts are evaluated next; return whether there are any. If not, the balance is
+/// found or no step remains.
 bool Balance::advance() {
   for (Index j = 0; j < assembly_.rollers(); ++j)
     if (rollers_[j].asked) add_up(j);
@@ -96,7 +96,7 @@ bool Balance::advance() {
   if (phase_ == Phase::together) {
     const double enough = OF_ROLLER * limit_ * size;
     const bool stepped = trial.steps > 0;
-    // Few rollers that leave or enter the load zone are no reason to give up what suits all others.
+    // A few rollers that leave or enter the load zone are no reason to give up a step that suits all others.
     const auto stray =
         std::count_if(rollers_.begin(), rollers_.end(), [&](const Roller& r) { return r.left > enough; });
     if (!stepped || static_cast<double>(stray) <= MOST_STRAY * static_cast<double>(rollers_.size())) {
@@ -112,7 +112,7 @@ bool Balance::advance() {
     }
     phase_ = Phase::in_turn;
     if (stepped) {
-      // The last step did not lead on.
+      // The last step made no progress.
       for (Roller& roller : rollers_) roller.trial.searching = false;
       move_along(0.0);
       return true;
@@ -131,14 +131,15 @@ bool Balance::advance() {
   return true;
 }
 
-/// Add up forces on the ring, and its stiffness with rollers that follow it in balance; beside the load of a roller.
+/// Add up the forces on the ring, its stiffness with rollers that follow in balance, and the load on a roller.
 Balance::Imbalance Balance::condense(double size) {
   ring_.force = {}, ring_.stiffness = {};
   double most = 0.0, sum = 0.0, worst = rollers_[0].left;
   for (const Roller& roller : rollers_) most = std::max(most, largest(roller.on_ring));
   for (Index j = 0; j < assembly_.rollers(); ++j) {
     const Roller& roller = rollers_[j];
-    // Slices resist with the ninth root of their overlap: one of 1e-19 mm, which is rounding, by a percent and more.
+    // The stiffness of slices varies with the ninth root of their overlap: 1e-19 mm, which is rounding, gives a per
+    // cent.
     if (largest(roller.on_ring) <= NO_LOAD * most) continue;
     const Small<3, 5>& at = assembly_.ring[j];
     Small<3, 3> stiff = product(roller.of_ring, eliminate(roller.whole, roller.of_ring, assembly_.scale));
@@ -170,7 +171,7 @@ Balance::Imbalance Balance::condense(double size) {
 
 /// Move ring and rollers at once, near the balance.
 void Balance::step_together(double loads) {
-  // Where the rollers would go if the ring stayed, and what that does to it.
+  // The motion of the rollers with the ring at rest, and its effect on the ring.
   for (Index j = 0; j < assembly_.rollers(); ++j) {
     Roller& roller = rollers_[j];
     roller.step = roller_step(j);
@@ -186,11 +187,11 @@ void Balance::step_together(double loads) {
   move_along(1.0);
 }
 
-/// Find a step of the ring, and how rollers follow it.
+/// Compute a step of the ring, and how rollers follow it.
 void Balance::follow_ring(double loads) {
   const auto& by_force = conditions_.by_force;
   ring_.before = ring_.motion;
-  // A small stiffness against all motions, so that a ring that touches nothing goes where it is pushed.
+  // A small stiffness against all motions, so that a ring without contact moves in the direction of its load.
   const double held = HELD_BACK * std::min(left_, 1.0) * loads / conditions_.depth;
   Small<5, 5> matrix{};
   for (Index a = 0; a < 5; ++a) {
@@ -208,17 +209,17 @@ void Balance::follow_ring(double loads) {
     const Vector<3> at_roller = product(assembly_.ring[j], ring_.step);
     for (Index a = 0; a < 2; ++a) moved = larger(moved, std::abs(at_roller[a]));
   }
-  // No step presses anything much deeper than it is or is expected to be.
+  // No step increases a penetration much beyond its present or expected value.
   const double share = cautious(moved, most);
   ring_.step = times(share, ring_.step);
   for (Roller& roller : rollers_) {
-    // A roller that little holds would be flung about.
+    // A roller with little stiffness would move too far.
     roller.follows = times(share, roller.follows);
     roller.follows = times(cautious(largest_motion(roller.follows), most), roller.follows);
   }
 }
 
-/// Move the ring to a share of its step, and the rollers with it.
+/// Move the ring by a fraction of its step, and the rollers with it.
 void Balance::move_along(double share) {
   for (Index b = 0; b < 5; ++b) ring_.motion[b] = ring_.before[b] + share * ring_.step[b];
   for (Roller& roller : rollers_)

@@ -1,18 +1,17 @@
 // Rollers between rings in equilibrium: the motion of the inner ring under given forces, moments and displacements.
 //
-// Every roller has a motion of its own, in which its contacts balance each other and the loads that speed gives it. It
-// is found for a given motion of the ring, and with it the force on the ring and its exact derivative (static
-// condensation):
+// Every roller has its own motion, in which its contacts balance each other and the loads due to speed. It is computed
+// for a given motion of the ring, and with it the force on the ring and its exact derivative (static condensation):
 //
 //     f = sum_in A^T q            k = K_in - K_in (K_in + K_out)^-1 K_in        K = sum A^T S A
 //
-// with A the motion of a contact per motion of ring against roller and S its stiffness; K_in is of the contacts with
-// the inner ring. The ring's motion is then found by Newton's method on the sum over all rollers. Contacts only push,
-// and push harder the deeper they are pressed: both are the search for the lowest point of a convex function, so that a
-// step which is shortened until the slope along it has fallen always leads on. Near the balance, ring and rollers step
-// together; where such steps do not lead on, they step in turn, and the ring waits until every roller has ended its
-// steps. Where nothing resists, as with a roller that touches nothing, there is nothing to balance, and it stays where
-// it is. docs/explain/equilibrium.md has the details.
+// with A the motion of a contact per motion of ring relative to roller and S its stiffness; K_in belongs to the
+// contacts with the inner ring. The ring's motion is then found by Newton's method on the sum over all rollers.
+// Contacts only push, with a force that increases with the penetration: both problems are minimisations of a convex
+// function, so that a step shortened until the slope along it has decreased always makes progress. Near the balance,
+// ring and rollers step together; where such steps fail, they step in turn, and the ring waits until every roller has
+// finished its steps. Without resistance, as for a roller without contact, there is nothing to balance, and the roller
+// stays where it is. docs/explain/equilibrium.md has the details.
 #pragma once
 
 #include "bearing/assembly.hpp"
@@ -20,41 +19,41 @@
 
 namespace nonhertz {
 
-/// What is given, and how well it is to be met.
+/// The kind of given values, and the accuracy with which they are met.
 struct Conditions {
-  std::array<bool, 5> by_force;  ///< of which motions of the ring the force or moment is given
-  double depth;                  ///< a penetration of the size to be expected [mm]
-  double tolerance;              ///< what may be left of the balance of the ring, over the loads
-  int steps;                     ///< the most that the ring takes, and a roller for each of them
+  std::array<bool, 5> by_force;  ///< for each motion of the ring, whether its force or moment is given
+  double depth;                  ///< expected size of penetrations [mm]
+  double tolerance;              ///< permitted residual of the balance of the ring, over the loads
+  int steps;                     ///< largest number for the ring, and for a roller within each of them
 };
 
-/// What is given of one state, and where the search for it begins; rollers whose motion is NaN follow as equal springs.
+/// The given values of one state and the start of its search; rollers whose motion is NaN start as equal springs.
 struct Beginning {
   Vector<5> target, ring;
   std::vector<Vector<3>> rollers;
 };
 
-/// A state of a bearing in which the search ended.
+/// The state of a bearing in which the search ended.
 struct Equilibrium {
-  Vector<5> ring, force;  ///< motion of the inner ring, and forces and moments on it that hold it there
+  Vector<5> ring, force;  ///< motion of the inner ring, and forces and moments on it in equilibrium
   Small<5, 5> stiffness;  ///< derivatives of the forces by the motions
-  double residual;        ///< what is left of the balance of ring and rollers, over the loads
+  double residual;        ///< residual of the balance of ring and rollers, over the loads
   int steps;              ///< Newton steps of the ring
   std::vector<Vector<3>> rollers;
   std::vector<Pose> poses;  ///< of their contacts
   std::vector<Answer> answers;
 };
 
-/// A step that is tried and shortened, of the ring or of a roller.
+/// A trial step of the ring or of a roller, which may be shortened.
 struct Trial {
   double slope = 0.0;  ///< along the step at its beginning
-  double share = 0.0;  ///< how much of it is tried
-  int shortened = 0;   ///< how often it was
-  int steps = 0;       ///< how many were taken
+  double share = 0.0;  ///< fraction of it that is tried
+  int shortened = 0;   ///< number of times it was shortened
+  int steps = 0;       ///< number of steps taken
   bool searching = false;
 };
 
-/// Begin to try a step, the whole of it first.
+/// Begin a trial step with its full length.
 template <std::size_t N>
 void try_whole(Trial& trial, const std::array<double, N>& off, const std::array<double, N>& step) {
   trial.slope = 0.0;
@@ -63,15 +62,15 @@ void try_whole(Trial& trial, const std::array<double, N>& off, const std::array<
   ++trial.steps;
 }
 
-/// Shorten a step that is tried, if the slope at its end points backwards; return whether it did, or end the step.
+/// Shorten a trial step if the slope at its end points backwards and return true, or end the step.
 ///
-/// A step that falls short is good enough: the next goes on from there. A first slope below zero is rounding. Loads
-/// grow faster the deeper bodies are pressed: a line through both slopes is zero before the best share, often where
-/// the bodies are apart again, and the tangent at the end behind it.
+/// A step that falls short is good enough: the next continues from there. A first slope below zero is rounding. Since
+/// loads grow faster with penetration, the line through both slopes vanishes before the best fraction, often where the
+/// bodies are apart again, and the tangent at the end vanishes beyond it.
 template <std::size_t N>
 bool shortened(Trial& trial, const std::array<double, N>& off, const std::array<double, N>& step,
                const std::array<std::array<double, N>, N>& stiffness) {
-  constexpr double OVERSHOT = 0.5;  // of the slope along a step, by which it may point backwards at its end
+  constexpr double OVERSHOT = 0.5;  // of the slope along a step: permitted backward slope at its end
   constexpr int SHORTENINGS = 30;
   const double first = trial.slope;
   double slope = 0.0, bend = 0.0;
@@ -91,34 +90,35 @@ bool shortened(Trial& trial, const std::array<double, N>& off, const std::array<
 /// The larger of two numbers, or NaN if either is.
 inline double larger(double one, double other) { return std::isnan(other) || other > one ? other : one; }
 
-inline constexpr double CAUTION = 8.0;     // penetrations that a step may add
-inline constexpr double HELD_BACK = 1e-3;  // of loads over the penetration to be expected
+inline constexpr double CAUTION = 8.0;     // a step may add this many penetrations
+inline constexpr double HELD_BACK = 1e-3;  // of loads over the expected penetration
 
-/// The share of a step that presses nothing much deeper than so deep [mm].
+/// The fraction of a step that increases no penetration much beyond a depth [mm].
 inline double cautious(double moved, double deepest) {
   return moved <= CAUTION * deepest ? 1.0 : CAUTION * deepest / moved;
 }
 
 struct Ring {
-  Vector<5> motion{}, before{}, step{};  ///< where it is, where its step began, and the whole step
-  Vector<5> force{}, off{};              ///< on it, and what is left of its balance
+  Vector<5> motion{}, before{}, step{};  ///< its position, the start of its step, and the whole step
+  Vector<5> force{}, off{};              ///< force on it, and residual of its balance
   Small<5, 5> stiffness{};               ///< with rollers that follow in balance
   Trial trial;
 };
 
 struct Roller {
-  Vector<3> motion{}, before{}, step{};  ///< where it is, where its own step began, and the whole step
-  Vector<3> resting{}, follows{};  ///< where it was when the ring's step began, and how it follows the whole of it
-  Vector<3> off{}, on_ring{};      ///< what is left of its balance, and the force of the inner ring on it
-  double left = 0.0;               ///< the largest of what is left [N]
+  Vector<3> motion{}, before{}, step{};  ///< its position, the start of its own step, and the whole step
+  Vector<3> resting{},
+      follows{};               ///< its position at the start of the ring's step, and its motion over the whole of it
+  Vector<3> off{}, on_ring{};  ///< residual of its balance, and the force of the inner ring on it
+  double left = 0.0;           ///< largest component of the residual [N]
   Small<3, 3> whole{}, of_ring{};  ///< stiffness of all its contacts, and of those with the inner ring
-  bool asked = true;               ///< whether its contacts are to answer
+  bool asked = true;               ///< whether its contacts are to be evaluated
   Trial trial;
   std::span<Pose> poses;
   std::span<Answer> answers;
 };
 
-/// The search for one state: contacts answer where they are asked, and rollers and ring move on.
+/// The search for one state: contacts are evaluated where requested, and rollers and ring move on.
 class Balance {
  public:
   Balance(const Assembly& assembly, const Conditions& conditions, const Beginning& begin, Index state);
@@ -157,22 +157,22 @@ class Balance {
   const Assembly& assembly_;
   const Conditions& conditions_;
   const Vector<5> target_;
-  const Index first_number_;  // of the rollers, counted through all states
+  const Index first_number_;  // of the rollers, numbered through all states
   Ring ring_;
   std::vector<Pose> poses_;
   std::vector<Answer> answers_;
   std::vector<Roller> rollers_;
   Phase phase_ = Phase::together;
-  double limit_;  // what may be left of the balance, over the loads, for the next step of ring and rollers together
-  double left_;   // what is left, over the loads
-  std::vector<int> times_;  // that the contacts of rollers have answered
-  // Room for the questions to a law of many contacts.
+  double limit_;            // residual below which ring and rollers take the next step together, over the loads
+  double left_;             // residual, over the loads
+  std::vector<int> times_;  // number of evaluations of the contacts of rollers
+  // Buffers for evaluations of a law of many contacts.
   std::vector<Index> numbers_;
   std::vector<Pose> asked_poses_;
   std::vector<Answer> given_answers_;
 };
 
-/// Find many states; those of laws that begin anew with each are shared by threads, on which nothing depends.
+/// Find many states; states with laws that keep no history are distributed over threads, without effect on the results.
 std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& conditions,
                                     const std::vector<Beginning>& beginnings, int threads, const Stop& stop);
 

@@ -9,7 +9,7 @@
 namespace nonhertz {
 namespace {
 
-constexpr std::size_t PART = 64;  // states, below which a thread of its own does not pay
+constexpr std::size_t PART = 64;  // states, below which a separate thread does not pay
 
 }  // namespace
 
@@ -33,11 +33,11 @@ std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& 
     }
   };
   {
-    // Contacts that are solved may begin with the state before.
+    // Contacts that are solved may start from the previous state.
     const auto parts = (states.size() + PART - 1) / PART;
     const auto most = assembly.groups().empty() ? std::min(static_cast<std::size_t>(threads), parts) : 1;
     std::vector<std::jthread> others;
-    // What the program around looks at is for the thread that it called in.
+    // Signals are handled only in the calling thread.
     for (std::size_t k = 1; k < most; ++k) others.emplace_back([&] { work({stop.token, {}}); });
     work(stop);
   }

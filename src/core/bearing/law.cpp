@@ -14,7 +14,7 @@ Answer Slices::answer(const Pose& pose) const {
     const double depth = pose.approach + pose.tilt * y[k] - relief[k];
     sum.overlap = std::max(sum.overlap, depth);
     if (!(depth > 0.0)) continue;
-    // The power of the derivative first: multiplications are cheap.
+    // The power for the derivative first: multiplications are cheap.
     const double slope = stiffness * std::pow(depth, exponent - 1.0);
     sum.load += slope * depth;
     sum.moment += slope * depth * y[k];

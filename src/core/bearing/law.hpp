@@ -1,4 +1,4 @@
-// How contacts of rollers answer approach and tilt: with load, moment, their derivatives and the overlap.
+// Contact laws of rollers: load, moment, their derivatives and the overlap as functions of approach and tilt.
 #pragma once
 
 #include <memory>
@@ -17,31 +17,31 @@ struct Pose {
 struct Answer {
   double load = 0.0, moment = 0.0;  ///< [N], [N mm]
   double load_by_approach = 0.0, load_by_tilt = 0.0, moment_by_approach = 0.0, moment_by_tilt = 0.0;
-  double overlap = 0.0;  ///< of the undeformed bodies where they overlap most, negative where they are apart [mm]
+  double overlap = 0.0;  ///< largest overlap of the undeformed bodies, negative where they are apart [mm]
 };
 
 /// Independent slices whose load is a power of their penetration.
 struct Slices {
-  Numbers y, relief;  ///< where they are, and how far the bodies are apart there [mm]
-  double stiffness;   ///< load of a slice of a penetration of 1 mm [N]
+  Numbers y, relief;  ///< positions, and separation of the bodies there [mm]
+  double stiffness;   ///< load on a slice at a penetration of 1 mm [N]
   double exponent;
 
   Answer answer(const Pose& pose) const;
 };
 
-/// A map, which goes on in straight lines beyond its range.
+/// A map, which is continued linearly beyond its range.
 struct MapLaw {
-  Numbers table;  ///< of the numbers of a map those of its mean approach
+  Numbers table;  ///< the numbers of a map for its mean approach
 
   Answer answer(const Pose& pose) const;
 };
 
-/// A law that is asked for the contacts of many rollers at once, and may begin where it ended the last time.
+/// A law that is evaluated for the contacts of many rollers at once, and may start from its previous results.
 class GroupLaw {
  public:
   virtual ~GroupLaw() = default;
-  /// Rollers are counted through all states; poses and answers are of their contacts with this law, as many for each,
-  /// one roller after another.
+  /// Rollers are numbered through all states; poses and answers are those of their contacts with this law, the same
+  /// number for each roller, one roller after another.
   virtual void answer(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers,
                       const Stop& stop) = 0;
 };

@@ -1,4 +1,4 @@
-// The steps of rollers on the way to their balance.
+// The steps of rollers towards their balance.
 #include <cmath>
 
 #include "bearing/balance.hpp"
@@ -6,12 +6,12 @@
 namespace nonhertz {
 namespace {
 
-// By how much a step is longer that is to end beyond the contact, more than the power of any law, where less than the
-// second of the loads would be left.
+// Factor on a step that is to end beyond the contact, larger than the power of any law, where less than the second of
+// the loads would remain.
 constexpr double LETS_GO = 2.0, NOTHING_LEFT = 0.1;
 constexpr double STIFFENING = 10.0 / 9.0;  // power of the deflection with which the load of a roller grows
 
-/// What a step of a roller adds to approach and tilt of a contact.
+/// Change of approach and tilt of a contact by a step of a roller.
 Pose closer(const RollerContact& contact, const Vector<3>& step) {
   Pose added{0.0, 0.0};
   for (Index a = 0; a < 3; ++a) {
@@ -23,7 +23,7 @@ Pose closer(const RollerContact& contact, const Vector<3>& step) {
 
 }  // namespace
 
-/// Ask the contacts of a roller where it and the ring are.
+/// Request evaluation of a roller's contacts at the present positions of roller and ring.
 void Balance::ask(Index j) {
   Roller& roller = rollers_[j];
   roller.asked = true;
@@ -45,7 +45,7 @@ void Balance::ask_all() {
   for (Index j = 0; j < assembly_.rollers(); ++j) rollers_[j].trial.steps = 0, ask(j);
 }
 
-/// Add up forces on a roller, and stiffness.
+/// Add up the forces on a roller, and its stiffness.
 void Balance::add_up(Index j) {
   Roller& roller = rollers_[j];
   roller.off = assembly_.load[j], roller.on_ring = {}, roller.whole = {}, roller.of_ring = {};
@@ -69,21 +69,21 @@ void Balance::add_up(Index j) {
   roller.left = largest(roller.off);
 }
 
-/// The largest of the forces and the moment on a roller [N].
+/// The largest of forces and moment on a roller, in terms of force [N].
 double Balance::largest(const Vector<3>& forces) const {
   double most = 0.0;
   for (Index a = 0; a < 3; ++a) most = std::max(most, std::abs(forces[a]) / assembly_.scale[a]);
   return most;
 }
 
-/// The largest of displacements and the rotation of a roller, at its end [mm].
+/// The largest of displacements and rotation of a roller, in terms of displacement [mm].
 double Balance::largest_motion(const Vector<3>& step) const {
   double most = 0.0;
   for (Index a = 0; a < 3; ++a) most = larger(most, std::abs(step[a] * assembly_.scale[a]));
   return most;
 }
 
-/// The load of a roller [N] beside which what is left of its balance is judged.
+/// The load of a roller [N] to which the residual of its balance is relative.
 double Balance::size() const {
   double size = 0.0;
   for (Index b = 0; b < 5; ++b)
@@ -97,7 +97,7 @@ double Balance::size() const {
   return size;
 }
 
-/// Move rollers as if all contacts were alike, half-way between the rings; barrels turn with the inner ring.
+/// Move rollers as if all contacts were equal, half-way between the rings; barrels turn with the inner ring.
 void Balance::follow_alike() {
   Answer alike;
   alike.load_by_approach = 1.0, alike.moment_by_tilt = assembly_.scale[2] * assembly_.scale[2] / 3.0;
@@ -109,7 +109,7 @@ void Balance::follow_alike() {
   }
 }
 
-/// How a roller follows a motion of the ring if its contacts keep their stiffness.
+/// Motion of a roller with the ring if its contacts keep their stiffness.
 Vector<3> Balance::following(Index j, const Vector<5>& motion) const {
   const Roller& roller = rollers_[j];
   const Vector<3> pushed = product(roller.of_ring, product(assembly_.ring[j], motion));
@@ -117,7 +117,7 @@ Vector<3> Balance::following(Index j, const Vector<5>& motion) const {
   return {follows[0][0], follows[1][0], follows[2][0]};
 }
 
-/// Move the rollers whose balance is short of what is enough [N]; return whether there are any.
+/// Move the rollers whose residual exceeds a limit [N]; return whether there are any.
 bool Balance::rollers_step(double enough) {
   bool any = false;
   for (Index j = 0; j < assembly_.rollers(); ++j) {
@@ -135,10 +135,10 @@ bool Balance::rollers_step(double enough) {
   return any;
 }
 
-/// A step of a roller towards its balance, the ring at rest.
+/// A step of a roller towards its balance, with the ring at rest.
 Vector<3> Balance::roller_step(Index j) const {
   const Roller& roller = rollers_[j];
-  // As for the ring: where nothing resists, a roller goes where it is pushed, and not far at once.
+  // As for the ring: without resistance a roller moves in the direction of its load, in small steps.
   const double held = HELD_BACK * roller.left / conditions_.depth;
   Small<3, 3> matrix = roller.whole;
   for (Index a = 0; a < 3; ++a) matrix[a][a] += held * (assembly_.scale[a] * assembly_.scale[a]);
@@ -149,15 +149,15 @@ Vector<3> Balance::roller_step(Index j) const {
   return times(share_of_step(j, step), step);
 }
 
-/// How deep the contacts of a roller are, or are expected to be [mm].
+/// Penetration of the contacts of a roller, or its expected value [mm].
 double Balance::deepest(Index j) const {
   double deepest = conditions_.depth;
   for (const Answer& answer : rollers_[j].answers) deepest = std::max(deepest, answer.overlap);
   return deepest;
 }
 
-/// Whether a step leaves a roller that nothing loads without any contact: it is to end clear of the rings. A load that
-/// grows with a power of the penetration falls only to a certain part of itself in every step to zero.
+/// Whether a step takes an unloaded roller out of contact: it is to end clear of the rings. A load that grows with a
+/// power of the penetration falls only by a certain factor in every step towards zero.
 bool Balance::is_let_go(Index j, const Vector<3>& step) const {
   for (const double load : assembly_.load[j])
     if (load != 0.0) return false;
@@ -172,10 +172,10 @@ bool Balance::is_let_go(Index j, const Vector<3>& step) const {
   return then <= NOTHING_LEFT * now;
 }
 
-/// How much of a roller's step presses none of its contacts much deeper than what is left would press it.
+/// The fraction of a roller's step that increases no penetration much beyond that by the residual.
 ///
-/// Rollers that only speed loads cross the clearance of the bearing, and are to arrive as lightly as they are loaded:
-/// contacts hundreds of times too deep take long to solve.
+/// Rollers loaded only by speed cross the clearance of the bearing, and must arrive with a small penetration: contacts
+/// hundreds of times too deep take long to solve.
 double Balance::share_of_step(Index j, const Vector<3>& step) const {
   const auto contacts = assembly_.contacts(j);
   const double expected = std::pow(rollers_[j].left / assembly_.stiffness, 1.0 / STIFFENING);
@@ -183,7 +183,8 @@ double Balance::share_of_step(Index j, const Vector<3>& step) const {
   for (Index c = 0; c < assembly_.columns; ++c) {
     const Answer& answer = rollers_[j].answers[c];
     const Pose added = closer(contacts[c], step);
-    // What bears deepens where it bears, as far as its stiffness reaches; what is apart, at an end of the roller.
+    // Loaded contacts deepen where they are loaded, within the reach of their stiffness; open ones at an end of the
+    // roller.
     double middle = 0.0, reach = assembly_.scale[2];
     if (answer.load_by_approach > 0.0) {
       middle = answer.load_by_tilt / answer.load_by_approach;

@@ -44,13 +44,13 @@ Vector<N> times(double factor, Vector<N> values) {
   return values;
 }
 
-/// Solve linear equations by elimination, and return the right-hand sides solved; what nothing resists is left alone.
+/// Solve linear equations by elimination, and return the solutions; motions without stiffness remain zero.
 ///
-/// Scales are the lengths that make motions comparable. Stiffness is positive definite, and nearly symmetric: no pivot
-/// is looked for.
+/// Scales are the lengths that make motions comparable. Stiffness is positive definite and nearly symmetric: pivoting
+/// is not needed.
 template <std::size_t N, std::size_t Sides>
 Small<N, Sides> eliminate(Small<N, N> matrix, Small<N, Sides> right, const Vector<N>& scale) {
-  constexpr double RIDGE = 1e-13;  // of the stiffness, where nothing resists
+  constexpr double RIDGE = 1e-13;  // of the stiffness, for motions without stiffness
   double size = 0.0;
   for (std::size_t a = 0; a < N; ++a) size = std::max(size, std::abs(matrix[a][a]) / (scale[a] * scale[a]));
   for (std::size_t a = 0; a < N; ++a) matrix[a][a] += (size > 0.0 ? RIDGE * size : 1.0) * (scale[a] * scale[a]);

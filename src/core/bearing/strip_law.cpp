@@ -10,17 +10,19 @@
 namespace nonhertz {
 namespace {
 
-constexpr int SAME = 12;  // digits, relative to the largest, in which contacts are the same, as on both sides of a load
-// By what factor the penetration may differ from that which strips were laid for, on the way to the balance.
+constexpr int SAME =
+    12;  // digits, relative to the largest, to which contacts count as equal, as on both sides of a load
+// Factor by which the penetration may differ from that for which strips were laid, on the way to the balance.
 constexpr double ON_THE_WAY = 3.0;
-// Near it: what may be added to the penetration anywhere, and taken from it, over the deepest. Measured on crowned
-// rollers: with the second the error of the load stays below the accuracy of the strips; contacts that outgrow their
-// strips by a tenth are in error by three times as much.
+// Near it: permitted increase and decrease of the penetration anywhere, over the deepest. Measured on crowned rollers:
+// with the second the error of the load stays below the accuracy of the strips; contacts that outgrow their strips by a
+// tenth have three times that error.
 constexpr double DEEPER = 0.02, SHALLOWER = 0.12;
-constexpr double LIGHT = 0.1;  // of the deepest contact of all rollers: less bears too little to be judged by itself
-constexpr double UNRESOLVED = 1e-10;  // of it: an overlap with a load that the balance does not resolve
+constexpr double LIGHT =
+    0.1;  // of the deepest contact of all rollers: shallower ones carry too little load to be judged separately
+constexpr double UNRESOLVED = 1e-10;  // of it: an overlap whose load the balance does not resolve
 
-/// A number to so many decimal places, as its decimal digits say.
+/// A number rounded in decimal to so many digits.
 double rounded(double value, int places) {
   char text[400];
   std::snprintf(text, sizeof text, "%.*f", std::clamp(places, 0, 330), value);
@@ -66,7 +68,7 @@ void StripLaw::answer_side(std::size_t number, std::span<const Index> rollers, s
   for (std::size_t n = 0; n < rollers.size(); ++n) side.depths[rollers[n]] = depth[n];
   const int places = SAME - static_cast<int>(std::floor(std::log10(farthest)));
   const double least = UNRESOLVED * side.deepest();
-  // Of contacts that are the same the first is asked.
+  // Of equal contacts the first is evaluated.
   std::map<std::pair<double, double>, std::size_t> first;
   std::vector<std::size_t> like(rollers.size());
   std::vector<Question> missing;
@@ -100,7 +102,7 @@ void StripLaw::answer_side(std::size_t number, std::span<const Index> rollers, s
   }
 }
 
-/// Where the other contact of a roller is deeper, lay strips for that one: they suit both.
+/// If the other contact of a roller is deeper, lay strips for that one: they suit both.
 void StripLaw::lay_deeper(std::size_t number, const std::vector<Question>& missing, std::span<const Index> rollers,
                           std::span<const Pose> poses, const Stop& stop) {
   Side& other = sides_[1 - number];
@@ -125,7 +127,7 @@ void StripLaw::lay(Side& side, const std::vector<Question>& contacts, const Stop
   }
 }
 
-/// Bring a contact to where it is asked, on the strips that it has; return whether that can be done.
+/// Move a contact to the requested pose on its present strips; return whether that succeeds.
 bool StripLaw::moves(Side& side, const Question& to, const Stop& stop) {
   const auto known = side.laid.find(to.roller);
   if (known == side.laid.end() || !(few_ || suits(side, *known->second, to, near_))) return false;
@@ -140,7 +142,7 @@ bool StripLaw::moves(Side& side, const Question& to, const Stop& stop) {
   return true;
 }
 
-/// Solve a contact on few strips, or on those of the other one of the same roller if they suit it.
+/// Solve a contact on few strips, or on those of the same roller's other contact if they suit it.
 bool StripLaw::takes(std::size_t number, const Question& to, const Stop& stop) {
   Side& side = sides_[number];
   SharedContact found;

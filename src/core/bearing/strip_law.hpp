@@ -1,4 +1,4 @@
-// How the contacts of rollers answer by strips: moved on those that they have as long as these suit them.
+// Contact law of rollers by strips: contacts are moved on their present strips as long as these suit them.
 #pragma once
 
 #include <optional>
@@ -8,26 +8,25 @@
 
 namespace nonhertz {
 
-/// What the answers of a law took.
+/// Cost of the evaluations of a law.
 struct StripWork {
-  std::unordered_map<Index, Index> asked;  ///< how often the contacts of each roller were
+  std::unordered_map<Index, Index> asked;  ///< number of evaluations of the contacts of each roller
   std::vector<Pose> laid_for;              ///< poses for which automatic strips were laid
-  Index followed = 0, solved = 0;          ///< contacts that were led to other poses, and that were solved on strips
+  Index followed = 0, solved = 0;          ///< numbers of contacts moved to other poses, and solved on strips
 };
 
 class StripLaw : public GroupLaw {
  public:
-  /// Contacts of a roller, with both rings, or one of them; and about how many strips, nearly equal and laid once,
-  /// which is fast; without a number, those of the automatic grid, laid when a contact is first asked for, and again
-  /// when its penetration has become another one. If the bodies are as far apart in both contacts, both use the same
-  /// strips.
+  /// Contacts of a roller, with both rings or one of them; and an approximate number of strips, nearly equal and laid
+  /// once, which is fast. Without a number, strips of the automatic grid are laid when a contact is first evaluated,
+  /// and again when its penetration has changed. If both contacts have the same separation, both use the same strips.
   StripLaw(std::vector<std::shared_ptr<StrippedContact>> contacts, std::optional<Index> strips);
   StripLaw(const StripLaw&) = delete;
 
   void answer(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers,
               const Stop& stop) override;
 
-  /// From now on lay strips anew for contacts that are not nearly those which they were laid for.
+  /// From now on, lay new strips for contacts that differ from those for which the strips were laid.
   void lay_anew() { near_ = true; }
   /// The strips on which a contact was solved last.
   const Grid& strips(Index roller, Index contact) const;
@@ -43,7 +42,7 @@ class StripLaw : public GroupLaw {
 
     double deepest() const;
   };
-  /// A contact of one roller that is to be moved.
+  /// A contact of one roller to be moved.
   struct Question {
     Index roller;
     Pose pose;

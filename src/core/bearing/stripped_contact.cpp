@@ -9,14 +9,14 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index PLACES = 256, LOOKS = 33;  // intervals along the contact, and places between two of them
+constexpr Index PLACES = 256, LOOKS = 33;  // intervals along the contact, and points between two of them
 constexpr int CLOSER_LOOKS = 4;
-constexpr std::size_t KEPT_LOOPS = 32;  // each of them takes about half a megabyte
+constexpr std::size_t KEPT_LOOPS = 32;  // each takes about half a megabyte
 constexpr Prescription MOVED{{false, false}, {0.0, 0.0}};
 
 Prescription moved(const Pose& pose) { return {{false, false}, {pose.approach, pose.tilt}}; }
 
-/// Ascending and each once.
+/// Ascending and without repeats.
 Numbers unique(Numbers places) {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -48,9 +48,9 @@ Numbers StrippedContact::penetration(std::span<const Pose> poses) const {
   Numbers most(poses.size(), -std::numeric_limits<double>::infinity());
   if (poses.empty()) return most;
   View y = surveyed_.y, h = surveyed_.h;
-  std::size_t count = y.size(), apart = 0;  // from one pose's places to the next one's: at first all have the same
+  std::size_t count = y.size(), apart = 0;  // distance between the places of two poses: zero at first
   Numbers closer_y, closer_h;
-  // A law that overlooked the overlap between two places would jump from no load to some: closer and closer.
+  // A law that missed an overlap between two places would jump from zero load: search closer and closer.
   for (int look = 0;; ++look) {
     Numbers nearer;
     for (std::size_t n = 0; n < poses.size(); ++n) {
@@ -74,7 +74,7 @@ Numbers StrippedContact::penetration(std::span<const Pose> poses) const {
 
 std::shared_ptr<const Grid> StrippedContact::even(Index strips) const {
   Numbers edges = even_places(low_, high_, strips);
-  // Where corners begin, or else at the ends, in parts: a roller that tips over may have to bear close to there.
+  // Where corners begin, or else at the ends, in parts: a roller that tips over may carry its load close to there.
   double low = low_, high = high_;
   bool bends_low = false, bends_high = false;
   for (const double bend : model_->contact().bends) {
@@ -132,7 +132,7 @@ LaidContact StrippedContact::on_strips_of(const LaidContact& other) const {
   LaidContact guess = other;
   const Grid& strips = *other.level.grid;
   guess.level.grid = model_->grid(strips.edges);
-  // Under the same load half-widths are as the roots of the radii, and r as the curvature.
+  // Under equal load half-widths are proportional to the roots of the radii, and r to the curvature.
   for (Index i = 0; i < strips.count(); ++i) {
     const double sharper = guess.level.grid->curvature[i] / strips.curvature[i];
     guess.level.state.r[i] *= sharper, guess.level.state.m[i] /= sharper;
@@ -140,7 +140,7 @@ LaidContact StrippedContact::on_strips_of(const LaidContact& other) const {
   return guess;
 }
 
-/// The same with what it answers.
+/// The same with its results.
 SharedContact StrippedContact::answering(LaidContact contact) const {
   const auto& [grid, state] = contact.level;
   Numbers loads, moments;

@@ -1,4 +1,4 @@
-// A contact between roller and ring by the strip-element method, on strips that are kept from one pose to the next.
+// A contact between roller and ring by the strip-element method, on strips that are reused from one pose to the next.
 #pragma once
 
 #include <map>
@@ -17,14 +17,14 @@ struct Unsolved {
 /// A contact solved on strips.
 struct LaidContact {
   Level level;
-  Pose laid_for;  ///< that the strips were laid for
+  Pose laid_for;  ///< for which the strips were laid
   double depth;   ///< and the penetration there [mm]
-  Pose pose;      ///< at which it is solved
-  Answer answer;  ///< but for the overlap, times K
+  Pose pose;      ///< of the solution
+  Answer answer;  ///< times K, except for the overlap
 };
 using SharedContact = std::shared_ptr<const LaidContact>;
 
-/// What does not depend on approach and tilt, and the loops that run on strips.
+/// The parts that do not depend on approach and tilt, and the loops on strips.
 class StrippedContact {
  public:
   explicit StrippedContact(std::shared_ptr<const Model> model);
@@ -34,10 +34,10 @@ class StrippedContact {
   double compliance() const { return model_->contact().compliance; }
   const Samples& surveyed() const { return surveyed_; }
 
-  /// How many loops are kept.
+  /// Number of loops kept.
   std::size_t loops() const { return loops_.size(); }
 
-  /// How deep the undeformed bodies overlap where they do most [mm].
+  /// Largest overlap of the undeformed bodies [mm].
   Numbers penetration(std::span<const Pose> poses) const;
   /// About so many strips, nearly equal.
   std::shared_ptr<const Grid> even(Index strips) const;
@@ -46,11 +46,11 @@ class StrippedContact {
   SharedContact laid(const Pose& pose, double depth, const Stop& stop) const;
   /// A contact solved anew on given strips; nothing if it has no solution.
   SharedContact solved(std::shared_ptr<const Grid> strips, const Pose& pose, double depth, const Stop& stop) const;
-  /// A contact solved elsewhere on its strips, beginning with what it was; nothing if it has no solution.
+  /// A contact solved at another pose on its strips, from its present state; nothing if it has no solution.
   SharedContact solved(const LaidContact& before, const Pose& pose, const Stop& stop) const;
-  /// A contact led elsewhere on its strips, which is quicker; nothing if it got lost.
+  /// A contact that follows to another pose on its strips, which is faster; nothing if that fails.
   SharedContact followed(const LaidContact& before, const Pose& pose);
-  /// A guess of this contact, with the other ring, from one on strips that suit both.
+  /// A first guess of this contact, with the other ring, from one on strips that suit both.
   LaidContact on_strips_of(const LaidContact& other) const;
 
  private:
@@ -60,7 +60,7 @@ class StrippedContact {
   std::shared_ptr<const Kernel> kernel_;
   double low_, high_;
   Samples surveyed_;
-  std::map<const Grid*, Following> loops_;  // each of which keeps its grid
+  std::map<const Grid*, Following> loops_;  // each keeps its grid alive
 };
 
 }  // namespace nonhertz

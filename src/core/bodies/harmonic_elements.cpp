@@ -9,13 +9,13 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index D = DEGREE_OF_ELEMENTS, BETWEEN = D - 1;            // nodes between two others of an element's border
+constexpr Index D = DEGREE_OF_ELEMENTS, BETWEEN = D - 1;            // nodes between the ends of an element's border
 constexpr Index SQUARE = NODES * NODES, INNER = BETWEEN * BETWEEN;  // nodes of an element, and inside it
 constexpr Index U = 0, V = 1, W = 2;
 
 constexpr bool is_inside(Index a, Index b) { return 0 < a && a < D && 0 < b && b < D; }
 
-/// The order in which an element's nodes are eliminated: those inside first.
+/// The order in which an element's nodes are eliminated: inner nodes first.
 struct Order {
   std::array<Index, SQUARE> of_node{}, node_at{};
   constexpr Order() {
@@ -39,9 +39,9 @@ void add_products(const Matrix& left, const Matrix& right, View weights, Matrix&
     }
 }
 
-/// Solve backwards for the eliminated unknowns of a front; those beyond are in `x`, which has a row for each unknown.
+/// Back-substitute for the eliminated unknowns of a front; the others are in `x`, which has a row for each unknown.
 ///
-/// The loads' rows begin at `loads`; none where that is the size of the front.
+/// The rows of loads begin at `loads`; there are none if that is the size of the front.
 void solve_backwards(const Front& front, Index eliminated, Index loads, Index first_load, Index step, Matrix& x) {
   const Index columns = x.columns();
   for (Index i = eliminated - 1; i >= 0; --i) {
@@ -85,7 +85,7 @@ HarmonicElements::Products HarmonicElements::products(Index across, Index along)
           const double along_s = mesh_.slopes(q, a) / half_s * mesh_.values(p, b);
           by_r(at, a * NODES + b) = along_s / wall;
           by_t(at, a * NODES + b) = mesh_.values(q, a) * mesh_.values(p, b) / radius;
-          // Where r does not change, s does with z.
+          // At constant r, s changes with z.
           by_z(at, a * NODES + b) = mesh_.values(q, a) * mesh_.slopes(p, b) / half_z - slope / wall * along_s;
         }
     }
@@ -122,7 +122,7 @@ Front HarmonicElements::element(const Products& of, int waves) const {
   return front;
 }
 
-/// Return where an unknown of an element is among those of its strip: between its lines, then at high y, then at low.
+/// Return the index of an element's unknown in its strip: between its lines, then at high y, then at low y.
 Index HarmonicElements::place(Index across, Index node, Index component) const {
   const Index a = node / NODES, b = node % NODES;
   if (b == 0) return inside() + line() + 3 * (across * D + a) + component;
@@ -130,7 +130,7 @@ Index HarmonicElements::place(Index across, Index node, Index component) const {
   return ((across + a / D) * BETWEEN + b - 1) * 3 + component;
 }
 
-/// Hold what cannot move on the axis of a solid body, at nodes from the unknown `first` on.
+/// Fix the displacements that vanish on the axis of a solid body, at nodes from the unknown `first` on.
 void HarmonicElements::hold_axis(Front& front, Index first, Index nodes, int waves) const {
   if (mesh_.bored) return;
   for (Index node = 0; node < nodes; ++node)
@@ -147,7 +147,7 @@ HarmonicElements::Factors HarmonicElements::eliminate(int waves, const Matrix& l
     }
   };
   Factors kept;
-  Front passed(line() + count);  // what is left of all strips at higher y: a line of nodes, and the loads
+  Front passed(line() + count);  // Schur complement of all strips at higher y: a line of nodes, and the loads
   for (Index j = along() - 1; j >= 0; --j) {
     const Index gone = inside() + line(), first_load = gone + line();
     Front strip(first_load + count);

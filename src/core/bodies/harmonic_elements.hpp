@@ -1,10 +1,10 @@
 // Spectral finite elements for a body of revolution under pressure that varies as cos(n theta) around it.
 //
 // In the plane of radius r and axial position z, displacement is (u cos, v sin, w cos) of n theta. Elements are
-// products of polynomials through Gauss-Lobatto nodes; nonhertz/bodies/harmonic_elements.py lays them and says what
-// they are for. Unknowns are eliminated from inside elements to their borders, and from one end of the body to the
-// other, line by line of nodes across it. Loads go along as unknowns that are never eliminated: what is left among them
-// is their work.
+// products of polynomials through Gauss-Lobatto nodes; nonhertz/bodies/harmonic_elements.py lays them and explains
+// their use. Unknowns are eliminated from inside elements to their borders, and from one end of the body to the other,
+// line by line of nodes across it. Loads are included as unknowns that are never eliminated: the remaining matrix
+// between them is their work.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@ namespace nonhertz {
 
 inline constexpr Index DEGREE_OF_ELEMENTS = 6, NODES = DEGREE_OF_ELEMENTS + 1;
 
-/// Where the elements of a body are, and the rule that integrates over each.
+/// The elements of a body, and the quadrature rule for each.
 struct Mesh {
-  Numbers across, along;            ///< borders: shares of the wall from bore or axis to surface, and places [radii]
-  Matrix outer, inner;              ///< radii of surface and bore at the rule's points of each element along the axis
+  Numbers across, along;  ///< borders: fractions of the wall from bore or axis to surface, and axial positions [radii]
+  Matrix outer, inner;    ///< radii of surface and bore at the rule's points of each element along the axis
   Matrix outer_slope, inner_slope;  ///< and their slopes there
   Matrix values, slopes;            ///< of the nodes' polynomials (columns) at the rule's points (rows), -1 to 1
   Numbers points, weights;          ///< of the rule, -1 to 1
@@ -33,11 +33,11 @@ class HarmonicElements {
   Index rows() const { return DEGREE_OF_ELEMENTS * across() + 1; }    ///< nodes through the wall
   Index columns() const { return DEGREE_OF_ELEMENTS * along() + 1; }  ///< nodes along the axis
 
-  /// Return what each load's displacement is worth to each reading, readings^T K^-1 loads, shape (readings, loads).
+  /// Return the work of each reading on each load's displacement, readings^T K^-1 loads, shape (readings, loads).
   ///
   /// waves: number of waves around, not 1; loads, readings: nodal forces on the surface, by component (u, w), then
   /// along the axis: shape (loads, 2 columns()); even and odd ones in turn where the mesh is symmetric. Without waves,
-  /// forces along the axis count as borne by a rib.
+  /// a rib is assumed to take up forces along the axis.
   Matrix work(int waves, const Matrix& loads, const Matrix& readings) const;
   /// The same for several numbers of waves, by several threads.
   std::vector<Matrix> works(const std::vector<int>& waves, const Matrix& loads, const Matrix& readings,
@@ -52,10 +52,10 @@ class HarmonicElements {
   struct Products {
     Matrix rr, tt, zz, rt, rz, tz;
   };
-  /// The factors of one number of waves, from high y to low, for the way back.
+  /// The factors for one number of waves, from high y to low, for back-substitution.
   struct Factors {
     std::vector<Front> elements, strips;  ///< of each strip of elements across the body
-    std::array<Front, 2> last;            ///< of the last line, under even loads, or all, and under odd ones
+    std::array<Front, 2> last;            ///< of the last line, for even loads, or all, and for odd ones
   };
 
   Index across() const { return count_of(mesh_.across) - 1; }

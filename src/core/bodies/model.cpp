@@ -144,7 +144,7 @@ Kinks Model::kinks_among(View bends, double length) const {
     const Numbers h = separation(Numbers{place - step, place, place + step});
     return std::fabs(h[2] - 2.0 * h[1] + h[0]) / step;
   };
-  // Where only the curvature jumps, the slope change shrinks in proportion to the step; at a kink it does not.
+  // If only the curvature jumps, the change of slope shrinks in proportion to the step; at a kink it does not.
   const double step = 1e-5 * length;
   for (double place : bends) {
     const double wide = turn(place, step), narrow = turn(place, 0.1 * step);

@@ -1,5 +1,5 @@
-// A contact as strips of one element see it, whatever is prescribed and wherever they lie. Nothing in it changes after
-// it is made, so that any number of threads may solve with it.
+// A contact for strips of one element, independent of loading and grid. It is immutable, so that any number of threads
+// may use it.
 #pragma once
 
 #include <array>
@@ -29,15 +29,15 @@ struct Samples {
   Numbers y, h;
 };
 
-/// Where the slope of the separation jumps [mm], ascending, and by how much [rad].
+/// Positions where the slope of the separation jumps [mm], ascending, and the jumps [rad].
 struct Kinks {
   Numbers place, turn;
 };
 
-/// A finite part of the axis, and what is known of the bodies along it.
+/// A finite part of the axis, with data of the bodies along it.
 struct Region {
   double low, high;
-  Samples sampled;   ///< the separation at even places
+  Samples sampled;   ///< the separation at equidistant places
   Samples surveyed;  ///< the same with the crests between them
   Kinks kinks;
 };
@@ -48,9 +48,9 @@ struct Contact {
   std::vector<Reference> references;
   std::vector<FreedFace> freed;
   double compliance;      ///< K [1/MPa]
-  Pair interval;          ///< where both can touch [mm], infinite on a side where neither ends
-  Numbers bends, crests;  ///< where a relief bends, or may stand out between samples [mm], ascending
-  Function refuse;        ///< the curvature in Python, which says what is wrong where both surfaces conform
+  Pair interval;          ///< on which both can touch [mm], infinite on a side where neither ends
+  Numbers bends, crests;  ///< where a relief bends, or may have a peak between samples [mm], ascending
+  Function refuse;        ///< the curvature in Python, which raises the error where both surfaces conform
 };
 
 class Model {
@@ -71,22 +71,22 @@ class Model {
   Numbers sharper_curvature(View y) const;
   /// The smaller of both depths [mm], infinite if neither body has one.
   Numbers min_depth(View y) const;
-  /// Strips between these edges, with all that is known about them.
+  /// Strips between these edges, with all their data.
   std::shared_ptr<const Grid> grid(Numbers edges) const;
-  /// The same for springs, which do not move one another: thousands of them stand without a matrix of all by all.
+  /// The same for independent springs: thousands of them without a full matrix.
   std::shared_ptr<Grid> springs(Numbers edges) const;
-  /// Displacement at any places of what it is measured against, per unit of K q of each strip.
+  /// Displacement of the reference points at any places, per unit of K q of each strip.
   Matrix at_depth(View y, View edges) const;
-  /// What half-widths change on strips at y: coefficients of `WholeRoller::by_width` (rows); empty without such.
+  /// Effect of half-widths on strips at y: coefficients of `WholeRoller::by_width` (rows); empty without whole rollers.
   Matrix by_width(View y) const;
 
-  /// The whole interval where both can touch; nullptr where that is endless.
+  /// The whole interval where both can touch; nullptr if it is infinite.
   const std::shared_ptr<const Region>& region() const { return region_; }
   std::shared_ptr<const Region> region(double low, double high) const;
-  /// The separation at even places between two; with the crests between them.
+  /// The separation at equidistant places between two; and with the crests between them.
   Samples sampled(double low, double high) const;
   Samples surveyed(double low, double high) const;
-  /// Those of the bends between two places whose slope jumps, looked at in steps of a fraction of their distance.
+  /// The bends between two places at which the slope jumps, tested with steps of a fraction of their distance.
   Kinks kinks_among(View bends, double length) const;
 
  private:

@@ -19,13 +19,13 @@ double kernel(double u, double poisson_factor) {
   return std::sqrt(over) * (1.0 + poisson_factor * over);
 }
 
-/// The same by a load from far away up to u, to a constant.
+/// The same for a load from far away up to u, up to a constant.
 double kernel_until(double u, double poisson_factor) {
   const double root = std::sqrt(1.0 + u * u);
   return std::copysign(std::log(std::fabs(u) + root), u) + poisson_factor * u / root;
 }
 
-/// By Gauss's rule of three points, which for strips this narrow is as good.
+/// By Gauss's rule of three points, which is accurate enough for strips this narrow.
 void fill_by_quadrature(const PointsAtDepth& of, double y, double depth, View edges, Row out) {
   const double inverse = 1.0 / depth, factor = of.poisson_factor;
   std::fill(out.begin(), out.end(), 0.0);
@@ -56,9 +56,9 @@ void fill_by_closed_form(const PointsAtDepth& of, double y, double depth, View e
   }
 }
 
-constexpr Index TILE = 4 * WIDTH;  // numbers worked on at once: enough for no instruction to wait for the one before
+constexpr Index TILE = 4 * WIDTH;  // numbers processed at once: enough that no instruction waits for the previous one
 
-/// Fill in a polynomial, highest power first, at places of which there are so many as whole tiles have.
+/// Fill in a polynomial, highest power first, at places whose number is a multiple of the tile.
 void fill_polynomial(View coefficients, View x, Row out) {
   for (Index first = 0; first < count_of(x); first += TILE) {
     Pack at[TILE / WIDTH], s[TILE / WIDTH] = {};
@@ -69,7 +69,8 @@ void fill_polynomial(View coefficients, View x, Row out) {
   }
 }
 
-/// Fill in what a free side face adds to the displacement at a depth below u by unit loads at v, distances from it.
+/// Fill in the correction for a free side face to the displacement at a depth below u by unit loads at v, distances
+/// from the face.
 void fill_by_face(double u, View v, double depth, const PointsAtDepth& of, Row aside, Row added) {
   const Index count = count_of(v);
   for (Index p = 0; p < count; ++p) {
@@ -83,7 +84,7 @@ void fill_by_face(double u, View v, double depth, const PointsAtDepth& of, Row a
   }
 }
 
-/// What free side faces add, by Gauss's rule of three points on each strip.
+/// Correction for free side faces, by Gauss's rule of three points on each strip.
 void add_by_faces(const PointsAtDepth& of, View y, View depth, View edges, Matrix& out) {
   const Index strips = out.columns(), room = (3 * strips + TILE - 1) / TILE * TILE;
   Numbers v(room), share(room), aside(room), added(room);
@@ -140,7 +141,7 @@ Matrix PointsAtDepth::displacement(View y, View edges) const {
 Matrix AxisOfCylinder::displacement(View y, View edges) const {
   const double farthest = smooth->places.back();
   const double in_reach = smooth->at(farthest) - std::asinh(farthest);
-  const auto until = [&](double s) {  // by an even load from 0 up to a distance
+  const auto until = [&](double s) {  // by a uniform load from 0 up to a distance
     const double size = std::fabs(s);
     const double found = size < farthest ? smooth->at(size) - std::asinh(size) : in_reach - std::log(size / farthest);
     return s < 0.0 ? -found : found;

@@ -9,18 +9,18 @@ namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr double PI = 3.141592653589793;
-constexpr double SAME_PLACE = 1e-9;  // of a length: closer to its end than this is at the end
+constexpr double SAME_PLACE = 1e-9;  // of a length: positions closer to its end than this count as at the end
 
 /// The drop of a circle at a distance from its summit; infinite beyond the circle.
 double drop_of_circle(double radius, double y) {
   const double size = std::fabs(radius), distance = std::fabs(y);
   const double inside = std::max((size - distance) * (size + distance), 0.0);
-  // R - sqrt(R^2 - y^2) would lose to cancellation the few micrometres that matter beside metres of radius.
+  // R - sqrt(R^2 - y^2) would lose the few micrometres that matter to cancellation if R is metres.
   const double drop = distance * distance / (size + std::sqrt(inside));
   return distance <= size ? std::copysign(1.0, radius) * drop : INFINITE;
 }
 
-/// A position moved back, which is at an end of the extent if it is off by rounding.
+/// A position moved back; one within rounding of an end of the extent is placed at the end.
 double moved_back(double y, double by, double low, double high) {
   if (by == 0.0) return y;
   const double place = y - by, room = SAME_PLACE * (high - low);
@@ -47,14 +47,14 @@ void fill(const Logarithmic& of, View y, Row h) {
   for (std::size_t i = 0; i < y.size(); ++i) {
     const double distance = std::min(std::fabs(y[i]), FAR);
     const double share = std::min(std::max(distance - 0.5 * straight, 0.0) / half, BEYOND);
-    // 1 - s, measured from the end, where a difference of nearly equal numbers is exact.
+    // 1 - s, measured from the end, where the difference of nearly equal numbers is exact.
     const double to_end = std::max((0.5 * of.length - distance) / half, -BEYOND);
     const double argument = to_end * (1.0 + share) + of.rest * (share * share);
     double drop = argument > 0.0 ? -std::log(argument) : INFINITE;
     // In the middle, s itself is accurate.
     const double inner = std::min(share, 0.5);
     if (to_end > 0.5) drop = -std::log1p(-(1.0 - of.rest) * (inner * inner));
-    // With zero amplitude there is a body up to the pole, and none from there outwards.
+    // With zero amplitude there is a body up to the pole, but none beyond.
     const double relief = std::isinf(drop) ? INFINITE : of.amplitude * drop;
     h[i] = (to_end >= 0.0 ? std::min(relief, of.at_end) : relief) + 0.0;
   }
@@ -118,7 +118,7 @@ void fill(const Moved& of, View y, Row h) {
   for (double& relief : h) relief = std::isfinite(relief) ? of.scale * relief : INFINITE;
 }
 
-/// How far a corner lies below the tangent at its beginning.
+/// Drop of a corner below the tangent at its beginning.
 double drop(const Corner& of, double distance) {
   const double straight = std::max(distance - of.arc, 0.0) * of.slope;
   return of.radius == 0.0 ? straight : straight + drop_of_circle(of.radius, std::min(distance, of.arc));

@@ -10,7 +10,7 @@
 
 namespace nonhertz {
 
-/// Numbers at many places at once, worked out in Python, whose lock it takes.
+/// Numbers at many places at once, computed in Python, whose lock it takes.
 using Function = std::function<void(View y, Row out)>;
 
 /// No relief.
@@ -21,7 +21,7 @@ struct Arcs {
   double radius, end_radius, junction, end_summit;
 };
 
-/// amplitude ln(1 / (1 - (1 - rest) s^2)), s from a straight middle to the end; never more than at_end up to there.
+/// amplitude ln(1 / (1 - (1 - rest) s^2)), s from a straight middle to the end; at most at_end up to there.
 struct Logarithmic {
   double amplitude, length, rest, curved, at_end;
 };
@@ -56,30 +56,31 @@ struct Tabulated {
 struct Relief;
 using SharedRelief = std::shared_ptr<const Relief>;
 
-/// Several on top of one another.
+/// A sum of reliefs.
 struct Sum {
   std::vector<SharedRelief> parts;
 };
 
-/// One with its relief multiplied, then shifted along the axis, then flipped.
+/// A relief multiplied, then shifted along the axis, then flipped.
 struct Moved {
   SharedRelief relief;
   double scale, shift;
   bool flip;
-  double low, high;  ///< where it is defined before it is moved
+  double low, high;  ///< extent before it is moved
 };
 
 /// A corner at either end: an arc that continues straight.
 struct Corner {
-  double extent, radius, arc, slope;  ///< along the axis: of all, and of the arc; a radius of 0 makes an edge
+  double extent, radius, arc,
+      slope;  ///< lengths along the axis of the corner and of its arc; a radius of 0 makes an edge
 };
 
-/// Where the land continues along its tangent: distance from the middle, relief and slope outwards there.
+/// Beginning of the tangent that continues the land: distance from the middle, relief and outward slope.
 struct Tangent {
   double distance, relief, slope;
 };
 
-/// A land with a corner at both ends, which begins with the slope that the land has.
+/// A land with a corner at both ends, which begins with the slope of the land.
 struct Cornered {
   SharedRelief land;
   double half_length;

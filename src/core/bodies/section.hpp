@@ -10,17 +10,17 @@ namespace nonhertz {
 /// A diameter that changes along the axis, linear between points.
 struct TabulatedDiameter {
   Polyline diameter;  ///< [mm], over the distance from the middle of the body
-  double middle;      ///< where that is [mm]
+  double middle;      ///< position of the middle [mm]
 };
 
-/// 1/R [1/mm], negative where concave: constant, of a table, or of a function.
+/// 1/R [1/mm], negative where concave: a constant, a table, or a function.
 using Curvature = std::variant<double, TabulatedDiameter, Function>;
 
 /// Depth in diameters of the body.
 struct DepthInDiameters {
   double diameters;
   Curvature curvature;
-  Function refuse;  ///< the same in Python, which says why there is none where the body is not convex
+  Function refuse;  ///< the same in Python, which raises the error where the body is not convex
 };
 
 /// Depth below the surface [mm], compared with which half-widths must be small.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double USUAL_WIDTH = 0.03;  // of a contact, half-width over radius, where it is not known
 constexpr double FARTHEST = 25.0;     // radii, of the table
-constexpr double NEAR = 0.2;          // radii; from there on cubic polynomials follow its logarithm, too, within 1e-9
+constexpr double NEAR = 0.2;          // radii; beyond, cubic polynomials also represent its logarithm, within 1e-9
 
 /// The integral of the curved part from 0 to a distance: an odd function, by cubic polynomials.
 double curved_within(double distance, const Matrix& table, double logarithm) {
@@ -24,14 +24,14 @@ double curved_within(double distance, const Matrix& table, double logarithm) {
   return std::copysign(found, distance);
 }
 
-/// The curved part at y of loads up to an edge, from any place on, and of their images.
+/// The curved part at y of loads up to an edge, and of their images, up to a constant.
 double curved_until(double edge, double y, double radius, const WholeRoller& of) {
   const double twice = 2.0 * of.half_length();
   const auto within = [&](double s) { return curved_within(s / radius, *of.curved, of.logarithm); };
   return within(edge - y) - within(twice - edge - y) + within(edge + y + twice);
 }
 
-/// What loads of 1 from the middle up to each edge (columns) are between normalised polynomials (rows).
+/// Projections of unit loads from the middle up to each edge (columns) on normalised polynomials (rows).
 Matrix polynomials_of(View edges, double half_length, Index count) {
   Matrix found(count, count_of(edges));
   Numbers values(count + 1);
@@ -96,7 +96,7 @@ Matrix WholeRoller::displacement(View y, View edges) const {
     const double place = y[i], girth_here = girth(place);
     double radius = 0.0, low = 0.0;
     for (Index e = 0; e < strips; ++e) {
-      // Waves around are as long as the surface is wide.
+      // Waves around scale with the local radius of the surface.
       const double between = std::sqrt(girth_here * girths[e]);
       if (between != radius) {
         radius = between;

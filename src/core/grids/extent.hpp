@@ -1,4 +1,4 @@
-// Where strips are in contact, and how the contact is shaped there.
+// The intervals in contact, and the shape of the contact there.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace nonhertz {
 
-/// Intervals in contact [mm], up to where m, continued linearly, vanishes.
+/// Intervals in contact [mm], up to where m, extrapolated linearly, vanishes.
 std::vector<Pair> intervals(const Grid& grid, View m);
 /// Whether a contact extends to the outer edge of its strips on that side, -1 or 1.
 bool reaches(const Grid& grid, View m, int side);

@@ -10,11 +10,11 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index LOOKS = 20000;  // places along the strips, graded ones are narrow where they are close together
+constexpr Index LOOKS = 20000;  // places along the strips
 constexpr int CLOSER_LOOKS = 4;
 constexpr Index CLOSER = 100;  // intervals around the best place
 
-/// What stands against a prescription on strips whose separation is finite somewhere, without its numbers.
+/// Why a prescription cannot be met on strips whose separation is finite somewhere, without the numbers.
 std::optional<Refusal> stands_against(const Model& model, const Grid& grid, const Prescription& given, Pair& usable) {
   const auto is_finite = [](double h) { return std::isfinite(h); };
   const Numbers& h = grid.separation;
@@ -32,7 +32,7 @@ std::optional<Refusal> stands_against(const Model& model, const Grid& grid, cons
   return Refusal::apart;
 }
 
-/// The smallest approach at which the bodies touch, by repeated refinement around the best of these places.
+/// The smallest approach at which the bodies touch, by repeated refinement around the best place.
 double first_touch(const Model& model, double tilt, Numbers y) {
   double least = std::numeric_limits<double>::infinity();
   for (int look = 0; look < CLOSER_LOOKS; ++look) {
@@ -47,7 +47,7 @@ double first_touch(const Model& model, double tilt, Numbers y) {
   return least;
 }
 
-/// So many places between the first and the last edge, dense where edges are.
+/// A number of places between the first and the last edge, dense where edges are.
 Numbers along(View edges) {
   const double last = static_cast<double>(edges.size() - 1);
   Numbers y;
@@ -97,7 +97,7 @@ void refuse_no_contact(const Model& model, View edges, const Prescription& given
   const Level fine = springs(model, given, uniform(low, high, FINE_STRIPS));
   if (chosen && is_touching(fine)) throw Refused(Refusal::between_strips, 0.0, low, high, count_of(edges) - 1);
   const double tilt = given.by_force[1] ? 0.0 : given.target[1];
-  // Graded strips may be finer than the equal spring strips, so their edges are searched too.
+  // Graded strips may be finer than the equal spring strips, so their edges are searched as well.
   Numbers y = along(edges);
   y.insert(y.end(), fine.grid->y.begin(), fine.grid->y.end());
   y.insert(y.end(), edges.begin(), edges.end());

@@ -7,17 +7,17 @@
 
 namespace nonhertz {
 
-/// Why no strips can meet a prescription; Python puts it into words. Comments say what the numbers are.
+/// Why no strips can meet a prescription; Python words the error. Comments explain the numbers.
 enum class Refusal {
   nan_relief,      ///< value: y
-  endless_relief,  ///< nowhere a finite separation
-  arm_outside,     ///< value: moment / load; low, high: between these there can be pressure
+  endless_relief,  ///< the separation is finite nowhere
+  arm_outside,     ///< value: moment / load; low, high: pressure is possible between these
   arm_off_strips,  ///< value: moment / load; strips: whose centres all lie on one side of it
   tilted_apart,    ///< value: approach; at the tilt that the moment causes the bodies are apart
   between_strips,  ///< strips: the contact lies between the centres of so many
   unresolved,      ///< value: approach; strips cannot resolve the contact
   apart,           ///< value: approach at which the bodies begin to touch; low, high, strips: if the user gave them
-  no_end,          ///< the contact reaches to where endless bodies are no longer looked at
+  no_end,          ///< the contact reaches the end of the interval searched on infinite bodies
 };
 
 struct Refused : std::exception {
@@ -30,22 +30,22 @@ struct Refused : std::exception {
   const char* what() const noexcept override { return "no strips can meet what is prescribed"; }
 };
 
-/// Where the moment has to come from: moment / load [mm].
+/// Lever arm of the moment: moment / load [mm].
 inline double arm_of(const Prescription& given) { return given.target[1] / given.target[0]; }
 
-/// Whether some loads on the strips of a grid can meet what is prescribed.
+/// Whether any loads on the strips of a grid can meet the prescribed values.
 bool is_feasible(const Model& model, const Grid& grid, const Prescription& given);
 
-/// Refuse what no loads on these strips can meet; `chosen` if the user gave the strips.
+/// Refuse prescribed values that no loads on these strips can meet; `chosen` if the user gave the strips.
 void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given, bool chosen = true);
 
-/// Refuse a load and moment whose resultant lies outside the interval where there can be pressure.
+/// Refuse a load and moment whose resultant lies outside the interval where pressure is possible.
 void refuse_arm_outside(const Prescription& given, double low, double high);
 
 /// Refuse bodies whose relief is NaN somewhere, or infinite everywhere.
 void refuse_endless_relief(View y, View separation);
 
-/// Say why no strip touches at the prescribed approach: too few strips, or bodies too far apart.
+/// Return why no strip touches at the prescribed approach: too few strips, or bodies too far apart.
 [[noreturn]] void refuse_no_contact(const Model& model, View edges, const Prescription& given, bool chosen);
 
 }  // namespace nonhertz

@@ -8,14 +8,14 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index MORE_STRIPS[] = {1, 5, 25};  // times as many, in case fewer miss the contact
+constexpr Index MORE_STRIPS[] = {1, 5, 25};  // multiples, in case fewer strips miss the contact
 
 }  // namespace
 
 Numbers first_strips(const Model& model, const Prescription& given, double low, double high) {
   auto grid = model.springs(uniform(low, high, COARSE_STRIPS));
   refuse_endless_relief(grid->y, grid->separation);
-  // Where the load is given and the moment is not, any strips will do. A prescribed approach may bring only a tiny spot
+  // Any strips will do if the load is given and the moment is not. A prescribed approach may bring only a tiny spot
   // into contact, a moment only the very end.
   if (given.by_force[0] && (!given.by_force[1] || is_feasible(model, *grid, given))) return grid->edges;
   refuse_arm_outside(given, low, high);

@@ -1,4 +1,4 @@
-// The strips that an automatic grid begins with.
+// The first strips of an automatic grid.
 #pragma once
 
 #include "bodies/model.hpp"
@@ -7,7 +7,7 @@ namespace nonhertz {
 
 inline constexpr Index COARSE_STRIPS = 24;
 
-/// Edges of equal strips that can meet what is prescribed: all along the interval, or near where the bodies touch.
+/// Edges of equal strips that can meet the prescribed values: over the whole interval, or near where the bodies touch.
 Numbers first_strips(const Model& model, const Prescription& given, double low, double high);
 
 }  // namespace nonhertz

@@ -23,14 +23,14 @@ double read(View x, View values, double at) {
   return values[low] + (at - x[low]) / (x[high] - x[low]) * (values[high] - values[low]);
 }
 
-/// Walk from `start` to `stop` in steps of a fraction of a strip, away from features `by` times as wide.
+/// Step from `start` to `stop` in fractions of a strip; away from features strips are `by` times as wide.
 Path walk(const Sizes& sizes, double start, double stop, double by) {
   const double outward = stop > start ? 1.0 : -1.0;
   Path path{{start}, {0.0}};
   for (Index used = 1; used < MOST_STEPS; ++used) {
     const double here = path.place.back();
     double step = sizes(here, by);
-    if (used > MOST_STEPS / 2)  // more strips than any grid has: cover the rest in even steps
+    if (used > MOST_STEPS / 2)  // more strips than any grid has: cover the rest in equal steps
       step = std::max(step, STEPS_PER_STRIP * std::fabs(stop - here) / static_cast<double>(MOST_STEPS - used));
     double there = here + outward * step / STEPS_PER_STRIP;
     const bool last = outward * (there - stop) >= 0.0 || used == MOST_STEPS - 1;
@@ -42,7 +42,7 @@ Path walk(const Sizes& sizes, double start, double stop, double by) {
   return path;
 }
 
-/// Return edges from `start` outward, a whole number of strips to every mark and to the end.
+/// Return edges from `start` outwards, with a whole number of strips up to every mark and to the end.
 Numbers cut(const Path& path, double start, const Numbers& marks, double share) {
   const Index n = count_of(path.place);
   const double outward = path.place[n - 1] > path.place[0] ? 1.0 : -1.0, whole = path.count[n - 1];
@@ -97,7 +97,7 @@ Plan::Plan(const Level& from, const Model& model, const Region& region, const st
     return right_.count.back() + left_.count.back();
   };
   double by = 1.0, wanted = walk_outward(by);
-  // Where the sizes call for too many strips, those away from features are widened.
+  // If the sizes require too many strips, those away from features are widened.
   while (wanted > most_ && by < LOOSEST) {
     by *= std::max(1.03, std::pow(wanted / most_, 1.5));
     wanted = walk_outward(by);
@@ -108,7 +108,7 @@ Numbers Plan::lay(double share) const {
   const double of_right = right_.count.back(), of_left = left_.count.back();
   share *= std::min(1.0, most_ / (of_right + of_left));
   const double half = 0.5 / share;
-  // Too close to an end for half a strip and another one beside it.
+  // Too close to an end for half a strip and another strip beside it.
   if (std::min(of_right, of_left) < half + LEAST_STRIP / share) return from_end(left_, right_, marks_, share);
   const double reach =
       std::min(read(right_.count, right_.place, half) - centre_, centre_ - read(left_.count, left_.place, half));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Index COARSEST_LEVEL = 5;
 
-/// Leave out coarser levels that have no solution.
+/// Drop coarser levels that have no solution.
 void drop_unsolved(std::vector<Level>& levels) {
   const auto is_unsolved = [](const Level& level) { return !level.state.converged(); };
   levels.erase(std::remove_if(levels.begin() + 1, levels.end(), is_unsolved), levels.end());

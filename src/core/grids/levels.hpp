@@ -1,7 +1,7 @@
-// Grids solved from coarse to fine: each solution is the start of the next and says where its strips lie.
+// Grids solved from coarse to fine: each solution is the start of the next and determines its strips.
 //
 // On strips that are wide compared with the half-width the Newton loop converges from springs; on narrow ones it needs
-// a start that has the shape of the contact, which a coarser level provides. The levels also give an error estimate.
+// a start with the shape of the contact, which a coarser level provides. The levels also give an error estimate.
 #pragma once
 
 #include <deque>
@@ -15,43 +15,44 @@
 namespace nonhertz {
 
 // Measured on 300 random contacts of the usual profiles: at the coarseness of `search.cpp` the error of the approach is
-// below ACCURACY, and mostly less than this share of the change from half the strips.
+// below ACCURACY, and mostly below this fraction of the change from half the strips.
 inline constexpr double ACCURACY = 1e-4, LEFT_OF_CHANGE = 0.4;
 
 /// The relative errors that an automatic grid aims for.
 struct Accuracy {
   double of_motion = ACCURACY;                                   ///< of the approach, or of the load
-  double of_pressure = std::numeric_limits<double>::infinity();  ///< of the largest pressure, if that is asked for
+  double of_pressure = std::numeric_limits<double>::infinity();  ///< of the largest pressure, if requested
 };
 
 /// Solutions of one case, finest first; coarser ones that did not converge are left out.
 struct Levels {
   std::vector<Level> levels;
-  double accuracy = 0.0;  ///< aimed for where the first two are a grid with its edges on the ends, and half of it; or 0
+  double accuracy =
+      0.0;  ///< target if the first two levels are a grid with its edges on the ends, and half of it; else 0
 };
 
-/// Solve one case on a graded grid that is adapted to the contact; throws Refused, or Stopped.
+/// Solve one case on a graded grid adapted to the contact; throws Refused, or Stopped.
 Levels solve_automatically(const Model& model, const Prescription& given, const Accuracy& accuracy,
                            const Stop* stop = nullptr);
 
 using Grids = std::vector<std::shared_ptr<const Grid>>;
 
-/// So many equal strips where the bodies can touch, and half as many down to a few; finest first.
+/// A number of equal strips where the bodies can touch, and half as many down to a few; finest first.
 Grids equal_grids(const Model& model, const Prescription& given, Index count);
 /// Strips between given edges, and coarser ones that leave out every other edge.
 Grids given_grids(const Model& model, Numbers edges);
 
-/// A grid with the loop on it, and where its solutions lead.
+/// A grid with its loop, and the extrapolation of its solutions.
 struct Track {
   Track(std::shared_ptr<const Grid> of, const Kernel& kernel) : grid(std::move(of)), loop(*grid, kernel) {}
 
   std::shared_ptr<const Grid> grid;
-  std::shared_ptr<const Grid> light;  ///< the same without the matrix of all by all, for results
+  std::shared_ptr<const Grid> light;  ///< the same without the full matrix, for results
   Newton loop;
   Continuation solutions;
 };
 
-/// Solve one case on given grids, finest first, where others may have been solved before.
+/// Solve one case on given grids, finest first, on which others may have been solved before.
 Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& given, const Stop* stop = nullptr);
 
 }  // namespace nonhertz

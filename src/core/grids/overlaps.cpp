@@ -11,7 +11,7 @@ namespace nonhertz {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-constexpr double BESIDE = 0.02;   // of an interval in contact: an overlap this close only shows where it ends
+constexpr double BESIDE = 0.02;   // of an interval in contact: an overlap this close only locates its end
 constexpr double NOTICED = 1e-9;  // of the deepest interference; a smaller overlap is rounding
 constexpr double STRIPS_PER_OVERLAP = 5.0;
 
@@ -22,7 +22,7 @@ bool apart_from(const std::vector<Pair>& contact, double y) {
   });
 }
 
-/// How far an overlap may extend beyond its last place: twice as far as a straight line to the next.
+/// Extent of an overlap beyond its last place: up to twice that of a straight line to the next.
 double reach_of(const Samples& found, Index at, Index side) {
   const Index beside = at + side;
   if (!(0 <= beside && beside < count_of(found.y))) return 0.0;
@@ -73,7 +73,7 @@ bool suspect(const Level& level, const Samples& along) {
                  after = i < last ? depth(i + 1) : -INFINITE;
     if (!(here >= before && here >= after)) continue;
     double highest = here;
-    // No parabola through the three places rises higher above the middle one than this.
+    // Bound on the rise of a parabola through the three places above the middle one.
     if (0 < i && i < last && std::isfinite(before) && std::isfinite(after))
       highest += 0.125 * (2.0 * here - before - after);
     if (highest > 0.0 && apart_from(contact, along.y[i])) return true;
@@ -129,8 +129,8 @@ std::vector<Extra> overlaps(const Model& model, const Region& region, const Leve
     if (!(found.h[i] > 0.0)) continue;
     Index j = i;
     while (j + 1 < n && found.h[j + 1] > 0.0) ++j;
-    // No wider than the neighbouring places without overlap allow: crests may be much closer together than the samples,
-    // and much narrower.
+    // Limited by the neighbouring places without overlap: crests may be much closer together than the samples, and much
+    // narrower.
     const double length = found.y[j] - found.y[i];
     const double reach = reach_of(found, i, -1) + length + reach_of(found, j, 1);
     extras.push_back({0.5 * (found.y[i] + found.y[j]), std::max(length, std::min(step, reach)) / STRIPS_PER_OVERLAP});

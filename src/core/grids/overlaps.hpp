@@ -1,19 +1,19 @@
-// Where the bodies overlap although no strip is in contact: another contact that the strips have missed.
+// Overlaps of the bodies where no strip is in contact: another contact that the strips have missed.
 //
-// Contact conditions are enforced only at strip centres. So the bodies are sampled again along their whole length,
-// including every crest of the profiles and the vertices of parabolas through the samples.
+// Contact conditions are enforced only at strip centres. The bodies are therefore sampled again along their whole
+// length, including every crest of the profiles and the vertices of parabolas through the samples.
 #pragma once
 
 #include "grids/sizes.hpp"
 
 namespace nonhertz {
 
-/// Whether there may be a contact where no strip is: where the undeformed surfaces overlap most.
+/// Whether there may be a contact without a strip, where the undeformed surfaces overlap most.
 bool suspect(const Level& level, const Samples& along);
 
-/// Places [mm], ascending, and by how much the surfaces overlap there although no strip is in contact [mm].
+/// Places [mm], ascending, and the overlap of the surfaces there where no strip is in contact [mm].
 ///
-/// Zero in contact and beside it, negative where the undeformed surfaces are apart; none where all is in contact.
+/// Zero in contact and beside it, negative where the undeformed surfaces are apart; empty if all is in contact.
 Samples overlapping(const Model& model, const Level& level, const Samples& along);
 
 /// The vertices of parabolas through three neighbouring places each, where they are deeper than zero.

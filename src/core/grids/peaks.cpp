@@ -8,10 +8,10 @@
 namespace nonhertz {
 namespace {
 
-// How much narrower strips may become at once, by what share another pressure may be less and yet count as the largest,
-// and how many strips about a kink are left as they are.
+// Largest factor by which strips may become narrower at once, fraction by which another pressure may be smaller and
+// still count as the largest, and number of strips about a kink that are left unchanged.
 constexpr double LEAST_AT_PEAK = 0.2, ALIKE = 0.01, AT_KINK = 3.0;
-// Of a strip's width: an edge so close to y = 0 lies there but for rounding, and its strip on one side alone.
+// Of a strip's width: an edge this close to y = 0 lies there except for rounding, and its strip on one side only.
 constexpr double AT_ZERO = 1e-9;
 
 /// The strip with the largest pressure among those on one side of y = 0, zero if there is none.
@@ -21,7 +21,7 @@ Index highest_on(const Grid& grid, View pressure, bool high_side, double least) 
   for (Index i = 1; i + 1 < grid.count(); ++i) {
     const double least_part = AT_ZERO * grid.width(i);
     if (high_side ? !(grid.high(i) > least_part) : !(grid.low(i) < -least_part)) continue;
-    // A lower summit may be the largest pressure, if it is more pointed than its strips can tell.
+    // A lower summit may be the largest pressure, if it is too pointed for its strips.
     const double sagittas = is_cusp(pressure, i) ? CUSP : 1.0;
     const double reach = pressure[i] * (1.0 + sagittas * std::max(0.0, sagitta(pressure, i)));
     if (reach > reached && is_summit(pressure, i)) at = i, reached = reach;

@@ -8,11 +8,11 @@
 namespace nonhertz {
 namespace {
 
-// In radii of curvature across the contact: how finely and how far endless bodies are looked at.
+// In radii of curvature across the contact: resolution and extent of the search on infinite bodies.
 constexpr double NEAREST_LOOK = 1e-9, FARTHEST_LOOK = 1e4;
 constexpr int LOOKS = 130;
 
-/// Edges of strips that grow in proportion to the distance from y = 0, within the bodies.
+/// Edges of strips whose width grows in proportion to the distance from y = 0, within the bodies.
 Numbers growing(const Model& model) {
   const double radius = 1.0 / model.curvature(Numbers{0.0})[0];
   const double first = std::log10(NEAREST_LOOK), step = (std::log10(FARTHEST_LOOK) - first) / (LOOKS - 1);
@@ -27,7 +27,7 @@ Numbers growing(const Model& model) {
   return edges;
 }
 
-/// Those of the places within an interval, ascending, and the ends of it if there are any beyond.
+/// The places within an interval, ascending, and its ends if there are places beyond them.
 Numbers clipped(Numbers places, double low, double high) {
   for (double& y : places) y = std::min(std::max(y, low), high);
   std::sort(places.begin(), places.end());
@@ -35,7 +35,7 @@ Numbers clipped(Numbers places, double low, double high) {
   return places;
 }
 
-/// How far from y = 0, along places on one side of it, the separation is finite: as far as they reach, or to a wall.
+/// Distance from y = 0 up to which the separation is finite, on places on one side: their end, or a wall.
 double finite_up_to(const Model& model, const Numbers& beyond) {
   const Numbers h = model.separation(beyond);
   const auto wall = std::find_if(h.begin(), h.end(), [](double each) { return !std::isfinite(each); });

@@ -16,9 +16,9 @@ namespace {
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
 constexpr double STRIP_LIMIT = 40.0;  // of an automatic grid of coarseness 1 on one interval of contact
-constexpr double FEWER_STRIPS[] = {1.0, 0.94, 0.88, 0.82, 0.76};  // tried in turn where a grid has no solution
-// Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and so
-// often again, if the solution shows that another contact was missed or strips are too wide.
+constexpr double FEWER_STRIPS[] = {1.0, 0.94, 0.88, 0.82, 0.76};  // tried in turn if a grid has no solution
+// Fractions of the strips: a rough grid that grades the final one, then half of the final one before all of it; and the
+// number of repetitions if the solution shows that another contact was missed or strips are too wide.
 constexpr double ROUGH = 0.4, HALF = 0.5;
 constexpr int REPEATS = 2;
 constexpr double WELL_FILLED = 0.4;  // fraction of the region that the contact must fill before a grid is graded
@@ -27,10 +27,10 @@ constexpr int NARROWINGS = 40;
 // coarser grids faster and less regularly.
 constexpr double COARSENESS = 0.28, ORDER = 2.2, ORDER_COARSER = 3.0;
 constexpr double LEAST_FINER = 0.4, MARGIN = 0.95, FULL = 0.97;
-// The change of the largest pressure is to be so much less than its accuracy, and its sagitta in a strip so many times.
+// Permitted change of the largest pressure over its accuracy, and permitted sagitta in a strip over the accuracy.
 constexpr double OF_PRESSURE = 0.7, PER_SAGITTA = 8.0;
-// At the largest pressure: its sagitta in a strip over the accuracy, and below which share of their width strips are
-// solved again.
+// At the largest pressure: its sagitta in a strip over the accuracy, and the fraction of their width below which strips
+// are solved again.
 constexpr double POINTED = 5.0, TOO_WIDE = 0.7;
 
 double load_of(const Level& level) {
@@ -49,15 +49,15 @@ Search::Search(const Model& model, const Prescription& given, const Accuracy& ac
 }
 
 std::vector<Level> Search::run() {
-  // The equal strips that find the contact are too few to say anything about the error.
+  // The equal strips that find the contact are too few for an error estimate.
   const Level located = locate();
-  // One that has no solution is left at that, on all levels.
+  // A case without a solution ends here, on all levels.
   if (!located.state.converged()) return {located, located, located};
   std::vector<Level> levels{finer(plan(located), located, ROUGH)};
   add_halves(levels);
   for (int k = 0; k < REPEATS; ++k) {
     const Level& finest = levels[0];
-    if (too_thin(*finest.grid, model_.kernel(), finest.state.m, 1.0)) break;  // no number of strips saves it
+    if (too_thin(*finest.grid, model_.kernel(), finest.state.m, 1.0)) break;  // no number of strips helps
     const double finer = finer_wanted(finest, levels[1]);
     const bool is_missing = finest.state.converged() && (is_incomplete(finest) || is_pointed(finest));
     if (!(finer < 1.0 || is_missing)) break;
@@ -67,7 +67,7 @@ std::vector<Level> Search::run() {
   return levels;
 }
 
-/// Solve on equal strips of a region that the contact fills well, searching from the whole inwards.
+/// Solve on equal strips of a region that the contact fills well, from the whole interval inwards.
 Level Search::locate() const {
   Level level =
       solved(model_.grid(first_strips(model_, given_, region_->low, region_->high)), nullptr, ROUGH_TOLERANCE, true);
@@ -79,7 +79,7 @@ Level Search::locate() const {
   return level;
 }
 
-/// Where to look again for a contact that fills little of its strips or is cut off; nothing if it need not.
+/// The next region for a contact that fills little of its strips or is cut off; nothing if not needed.
 std::optional<Pair> Search::narrower(const Level& level) const {
   const Grid& grid = *level.grid;
   const Numbers& m = level.state.m;
@@ -94,7 +94,7 @@ std::optional<Pair> Search::narrower(const Level& level) const {
   return Pair{std::max(first - margin, model_.low()), std::min(last + margin, model_.high())};
 }
 
-/// Put solutions on a graded grid and on half of its strips in front; what has no solution is left at that.
+/// Put solutions on a graded grid and on half of its strips in front; a failed one ends the search.
 void Search::add_halves(std::vector<Level>& levels) const {
   if (!levels[0].state.converged()) {
     levels.insert(levels.begin(), 2, Level(levels[0]));
@@ -109,7 +109,7 @@ Plan Search::plan(const Level& from) const {
   return Plan(from, model_, *region_, extras(from), coarseness_, STRIP_LIMIT);
 }
 
-/// Solve on a graded grid, or on a slightly coarser one where it has no solution.
+/// Solve on a graded grid, or on a slightly coarser one if it has no solution.
 ///
 /// Where a blunt contact ends just at the edge of a strip, that strip can be unable to carry load (its neighbours alone
 /// curve the surface more than the bodies do) and yet overlap without it. The next grid has its edges elsewhere. It is
@@ -140,17 +140,17 @@ Level Search::solved(std::shared_ptr<const Grid> grid, const Level* near, double
   return {std::move(grid), std::move(state)};
 }
 
-/// By what share strips have to be narrower for the accuracy to be met; 1 where it is or cannot be.
+/// Fraction to which strips have to be narrowed for the accuracy; 1 if it is met or cannot be met.
 double Search::finer_wanted(const Level& finest, const Level& half) const {
   const double missing = error_over_accuracy(finest, half);
   const bool is_met = !(missing > 1.0) || !(finest.state.converged() && half.state.converged());
-  // More strips than the limit are not laid, whatever is asked for.
+  // More strips than the limit are never laid.
   const bool is_spent = static_cast<double>(finest.grid->count()) >= FULL * STRIP_LIMIT / std::min(coarseness_, 1.0);
   return is_met || is_spent ? 1.0 : std::max(LEAST_FINER, MARGIN * std::pow(missing, -1.0 / ORDER));
 }
 
-/// The estimated error over the accuracy, of approach or load and of the largest pressure, whichever is more; NaN if
-/// one is.
+/// The larger of the estimated errors over the accuracy, of approach or load and of the largest pressure; NaN if either
+/// is.
 double Search::error_over_accuracy(const Level& finest, const Level& half) const {
   const Samples& along = region_->sampled;
   double pressed = -INFINITE;

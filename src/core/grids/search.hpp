@@ -1,12 +1,12 @@
 // The automatic grid: equal strips find the contact, a rough graded grid locates its ends and bends, and the final grid
-// is solved with half its strips and with all; and again, where that shows that strips are too wide or too few.
+// is solved with half its strips and with all; and again, if that shows that strips are too wide or too few.
 #pragma once
 
 #include "grids/levels.hpp"
 
 namespace nonhertz {
 
-/// Solves one case on ever better grids.
+/// Solves one case on a sequence of better grids.
 class Search {
  public:
   Search(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop);
@@ -32,7 +32,7 @@ class Search {
   Accuracy accuracy_;
   const Stop* stop_;
   std::shared_ptr<const Region> region_;
-  double coarseness_, sagitta_;  // the latter: by what share of itself the largest pressure may bend within a strip
+  double coarseness_, sagitta_;  // the latter: permitted sagitta of the largest pressure within a strip, relative
 };
 
 }  // namespace nonhertz

@@ -14,13 +14,13 @@ constexpr double STRIPS_PER_CONTACT = 8.0;            // sets the widest strip i
 constexpr double NARROWEST = 1.0 / 40.0;              // of the half-width, at sharp ends and kinks
 constexpr double END_SHARE = 0.2;                     // of the distance over which m falls from half its peak to zero
 constexpr double GROWTH = 0.6, GROWTH_OUTSIDE = 1.2;  // of the distance from a feature
-// Up to the second from sharp ends, in half-widths: there the strength of the singularity is fitted.
+// Up to the second from sharp ends, in half-widths, where the strength of the singularity is fitted.
 constexpr double GROWTH_AT_SHARP_ENDS = 0.2, NEAR_SHARP_ENDS = 1.5;
 constexpr double SAG = 0.016;  // of the interference: the largest sagitta of the profile over one strip
 constexpr double KINK_SHARE = 0.15;
 // No width is below this fraction of the region, or this many times the spacing of floating-point numbers there.
 constexpr double NARROWEST_EVER = 1e-9, ROUNDINGS = 1e4;
-constexpr double EXTENSION = 0.3;  // of the contact's length, added where the strips end before the contact does
+constexpr double EXTENSION = 0.3;  // of the contact's length, added where the contact extends beyond the strips
 
 /// The narrowest strip width that floating-point numbers between low and high resolve.
 double resolved(double low, double high) {
@@ -81,7 +81,7 @@ void Sizes::add_ends(const Level& from, const Region& region, double coarseness)
     }
 }
 
-/// Add kinks in or beside contact, unless they are too many for any to stand out.
+/// Add kinks in or beside contact, unless there are too many.
 void Sizes::add_kinks(const Level& from, const Kinks& kinks, double depth) {
   const Grid& grid = *from.grid;
   const View m = from.state.m;
@@ -104,7 +104,7 @@ void Sizes::add_extras(const Region& region, const std::vector<Extra>& extras) {
   }
 }
 
-/// Find the width, at every sample but the outermost, at which the profile sags by no more than its share.
+/// Find the width at every sample except the outermost at which the sagitta of the profile is within its limit.
 void Sizes::bound_by_sag(const Samples& samples, const State& state, double deepest, double coarseness,
                          double narrowest) {
   const Numbers& h = samples.h;
@@ -136,9 +136,9 @@ double Sizes::operator()(double y, double by) const {
     width = std::min(width, each.width + std::min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near));
   }
   if (!inside) return width;
-  // The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink shows at one
-  // sample only, however far away the next is, so its width grows with the distance. At a sample itself only that one,
-  // whichever way its place is rounded.
+  // The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink appears at
+  // only one sample, however far away the next is, so its width grows with the distance. At a sample only that one is
+  // used, however its place is rounded.
   const double place = (y - sample_low_) / sample_step_;
   for (const double nearest : {std::floor(place + 1e-9), std::ceil(place - 1e-9)}) {
     const double sample = std::clamp(nearest, 0.0, static_cast<double>(sample_width_.size() - 1));

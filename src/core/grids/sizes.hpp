@@ -1,7 +1,7 @@
-// The size function: the target strip width at each y, which a solution on a coarser grid calls for.
+// The size function: the target strip width at each y, from a solution on a coarser grid.
 //
-// Small where the contact ends, at sharp ends, at kinks and where the profile bends sharply, it grows in proportion to
-// the distance from there, and is nowhere less than a fraction of the half-width, below which the strip model breaks
+// It is small where the contact ends, at sharp ends, at kinks and where the profile bends sharply, grows in proportion
+// to the distance from there, and is nowhere less than a fraction of the half-width, below which the strip model breaks
 // down.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace nonhertz {
 
-/// A further place that needs strips, and the width wanted there [mm].
+/// A further place that needs strips, and the target width there [mm].
 struct Extra {
   double place, width;
 };
 
-/// The size function that a coarse solution calls for.
+/// The size function by a coarse solution.
 class Sizes {
  public:
   Sizes(const Level& from, const Model& model, const Region& region, const std::vector<Extra>& extras,
@@ -23,9 +23,9 @@ class Sizes {
 
   /// The target strip width at y; away from the features `by` times as wide.
   double operator()(double y, double by) const;
-  /// y = 0 where it is in contact, else the middle of the longest interval in contact.
+  /// y = 0 if it is in contact, else the middle of the longest interval in contact.
   double centre() const;
-  /// The places at which edges lie, ascending.
+  /// The positions of edges, ascending.
   Numbers marks() const;
   /// The number of intervals in contact.
   Index pieces() const { return static_cast<Index>(contact_.size()); }
@@ -33,7 +33,7 @@ class Sizes {
   double high() const { return high_; }
 
  private:
-  /// Where strips are narrow: up to the distance `slow` widths grow slowly; an edge lies there if it is `marked`.
+  /// A place with narrow strips: up to the distance `slow` widths grow slowly; an edge lies there if it is `marked`.
   struct Feature {
     double place, width, slow;
     bool marked;
@@ -52,6 +52,6 @@ class Sizes {
   double largest_, largest_outside_, growth_;
 };
 
-inline constexpr int MOST_BENDS = 12;  // of more, none stands out
+inline constexpr int MOST_BENDS = 12;  // if there are more, none is treated specially
 
 }  // namespace nonhertz

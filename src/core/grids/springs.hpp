@@ -1,4 +1,4 @@
-// Independent springs in place of the bodies: where they touch says where to look for the contact.
+// Independent springs instead of the bodies: they show where to search for the contact.
 #pragma once
 
 #include "bodies/model.hpp"
@@ -13,7 +13,7 @@ Level springs(const Model& model, const Prescription& given, Numbers edges);
 /// Whether any strip is in contact.
 bool is_touching(const Level& level);
 
-/// The edges between which springs are in contact, nothing if they nowhere are.
+/// The edges between which springs are in contact, nothing if they are not in contact anywhere.
 std::optional<Pair> touching(const Level& level);
 
 /// The interval within two places in which springs find contact, with a margin.

@@ -1,4 +1,4 @@
-// How a solution stands against each condition of the model.
+// The numbers of a solution for each condition of the model.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +12,8 @@ namespace nonhertz {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-constexpr double WIDE_BESIDE = 2.0;  // times the last strip in contact: the one beside it may hide that it goes on
+constexpr double WIDE_BESIDE =
+    2.0;  // times the last strip in contact: a wider neighbour may hide that the contact continues
 
 /// The larger of two numbers; NaN if one of them is.
 double larger(double one, double other) { return other > one || std::isnan(other) ? other : one; }
@@ -25,8 +26,7 @@ Numbers loads(const Model& model, const Level& level) {
   return loads;
 }
 
-/// How far the bodies depart from parabolas within a half-width to either side, in the mean of all strips by their
-/// loads.
+/// Departure of the bodies from parabolas within a half-width on either side, averaged over strips by their loads.
 double unevenness(const Model& model, const Level& level) {
   const Grid& grid = *level.grid;
   const State& state = level.state;
@@ -36,7 +36,7 @@ double unevenness(const Model& model, const Level& level) {
     for (int k = 0; k < WITHIN; ++k)
       places[i * WITHIN + k] = grid.y[i] + 2.0 * (model.hertz_ratio() * std::sqrt(state.m[i])) * within(k);
   Numbers h = model.separation(places);
-  // Towards the ends of bodies and of the interference the relief may fall as it likes.
+  // Near the ends of bodies and of the interference the relief may fall in any way.
   for (std::size_t i = 0; i < h.size(); ++i)
     if (!(h[i] < state.rigid[0] + state.rigid[1] * places[i])) h[i] = INFINITE;
   Numbers load = loads(model, level), weighted(load.size());
@@ -44,7 +44,7 @@ double unevenness(const Model& model, const Level& level) {
   return sum_of(weighted) / sum_of(load);
 }
 
-/// Whether a contact goes on beyond its strips, or ends beside one so wide that its centre may not see it go on.
+/// Whether a contact continues beyond its strips, or ends beside one too wide to show whether it continues.
 bool may_go_on(const Level& level, const Ends& ends) {
   for (const End& end : ends.ends)
     if (end.kind == EndKind::cut_off) return true;
@@ -81,7 +81,7 @@ void find_missed(const Model& model, const Level& level, const Ends& ends, Check
   const bool whole = low == model.low() && high == model.high();
   const Samples of_part = whole ? Samples{} : model.surveyed(low, high);
   const Samples& along = whole ? model.region()->surveyed : of_part;
-  // Away from a contact the displacement falls, so that another one needs a summit of the undeformed overlap.
+  // The displacement falls away from a contact, so that another contact needs a maximum of the undeformed overlap.
   if (!may_go_on(level, ends) && !suspect(level, along)) return;
   const Samples overlap = overlapping(model, level, along);
   for (std::size_t i = 0; i < overlap.y.size(); ++i)

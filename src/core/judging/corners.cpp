@@ -8,14 +8,14 @@ namespace nonhertz {
 namespace {
 
 constexpr double PI = std::numbers::pi;
-// A contact that extends past a corner by less than this, in half-widths, ends there: fine strips reach round it.
+// A contact that extends past a corner by less than this, in half-widths, ends there: fine strips extend round it.
 constexpr double PAST_CORNER = 0.1;
-// The pressure at a corner that turns by theta grows by theta / (2 pi^2 K) each time the distance falls by a factor e.
-// Where that is less than this fraction of it, refinement makes no significant difference.
+// The pressure at a corner of angle theta grows by theta / (2 pi^2 K) each time the distance falls by a factor e. If
+// that is less than this fraction of it, refinement makes no significant difference.
 constexpr double COUNTS = 0.02;
 constexpr double LEFT_AT_CORNER = 0.5;  // of the squared pressure in the strip next to it: less is a run-out
-constexpr double RUNS_OUT = 0.05;       // of the largest pressure: where less is left at a corner, it runs out there
-constexpr double STEP = 1e-5;           // of the length: of differences that distinguish a corner from a curve
+constexpr double RUNS_OUT = 0.05;       // of the largest pressure: below this at a corner, the contact runs out there
+constexpr double STEP = 1e-5;           // of the length: for differences that distinguish a corner from a curve
 
 /// Finds the corners of the profile at which a contact ends under pressure.
 class Corners {
@@ -33,7 +33,7 @@ class Corners {
       Index last = first;
       while (last + 1 < n && pressure_[last + 1] > 0.0) ++last;
       const double widest = *std::max_element(half_width_.begin() + first, half_width_.begin() + last + 1);
-      // Outermost strip first; multiplied by the side, positions increase outwards.
+      // Outermost strip first; positions times the side increase outwards.
       look_at(first, last, -1, PAST_CORNER * widest);
       look_at(last, first, 1, PAST_CORNER * widest);
       first = last;
@@ -55,7 +55,7 @@ class Corners {
         found_.push_back(bend);
   }
 
-  /// Whether a bend is a corner that a contact presses against.
+  /// Whether a bend is a corner at which a contact ends under pressure.
   bool presses(double bend, int side, Index outer, Index inner_end) const {
     Index at = outer;  // becomes the outermost strip within
     for (; !(side * y_[at] < side * bend); at -= side)
@@ -66,8 +66,8 @@ class Corners {
     const Index within = std::abs(inner_end - at) + 1;
     if (within == 1) return true;
     if (at != outer && beside < pressure_[at - side]) return false;
-    // The square of the pressure falls linearly to zero where a contact runs out. Given three strips the outermost is
-    // left out, because it may carry load for what lies beyond it.
+    // The square of the pressure falls linearly to zero where a contact runs out. If there are three strips the
+    // outermost is left out, because it may also carry the load beyond it.
     const Index last = within > 2 ? at - side : at, next_in = last - side;
     const double square = pressure_[last] * pressure_[last];
     const double fall = (pressure_[next_in] * pressure_[next_in] - square) / std::fabs(y_[next_in] - y_[last]);

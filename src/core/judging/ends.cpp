@@ -1,4 +1,4 @@
-// How a contact ends on either side: it runs out, or reaches the end of the bodies, a corner, or the end of the strips.
+// The ends of a contact on either side: a run-out, the end of the bodies, a corner, or the end of the strips.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ constexpr double AT_ONE_PLACE = 0.01;  // of the last strip
 constexpr double FINITE_FROM = 0.999;
 constexpr double SAME_PLACE = 1e-9;  // of the length
 
-/// The slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for that of an end.
+/// The slope that a pressure s^-alpha leaves on the surfaces of two wedges: zero for the exponent of an end.
 double wedge_slope(double alpha, double kappa, double free) {
   const double cosine = std::cos(PI * alpha), brought = (1.0 - alpha) / std::cos(0.5 * PI * alpha);
   const double square = brought * brought;
@@ -30,7 +30,7 @@ double zero_between(double positive, double negative, double kappa, double free)
   return 0.5 * (positive + negative);
 }
 
-/// alpha of a pressure that varies with the distance from an end as s^-alpha, and the exponent of its correction.
+/// alpha of a pressure that varies as s^-alpha with the distance from an end, and the exponent of its correction.
 Pair edge_exponents(double kappa, double free) {
   const double mirrored = std::acos(std::min(kappa, 1.0)) / PI;
   const double alpha = free > 0.0 && kappa < 1.0 ? zero_between(0.0, mirrored, kappa, free) : mirrored;
@@ -38,7 +38,7 @@ Pair edge_exponents(double kappa, double free) {
   return {alpha, second + alpha};
 }
 
-/// How a contact ends that extends to the end of its strips.
+/// The end of a contact that extends to the end of its strips.
 End body_end(const Model& model, const Grid& grid, int side) {
   const Index last = side > 0 ? grid.count() - 1 : 0;
   End end;
@@ -89,8 +89,8 @@ Ends ends_of(const Model& model, const Level& level) {
     End& end = found.ends[column];
     const double last = column ? grid.edges.back() : grid.edges.front();
     end.y = contact.empty() ? last : column ? contact.back()[1] : contact[0][0];
-    // Where undeformed bodies do not overlap at the end of the strips, they cannot touch there: the last strip may be
-    // wider than the remainder of a contact that runs out close to the end.
+    // Undeformed bodies that do not overlap at the end of the strips cannot touch there: the last strip may be wider
+    // than the remainder of a contact that runs out close to the end.
     const bool touching =
         reaches(grid, state.m, side) && state.rigid[0] + state.rigid[1] * last > model.separation(last);
     if (touching) end = body_end(model, grid, side);

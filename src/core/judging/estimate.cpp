@@ -14,25 +14,24 @@ namespace {
 constexpr double INFINITE = std::numeric_limits<double>::infinity(), PI = std::numbers::pi;
 
 constexpr int FEW_AT_END = 4;       // fewer strips within a half-width of an end do not resolve how the contact ends
-constexpr double FALLS_AWAY = 0.1;  // of the interference: by this much at least it is less at an end than inside
-// Of the accuracy aimed for: a change of the largest pressure may be small by chance. And on a rounded corner, on any
-// grid: where strips lie on the step of its curvature changes the peak by that much.
+constexpr double FALLS_AWAY = 0.1;  // of the interference: it is smaller at an end than inside by at least this
+// Of the target accuracy: a change of the largest pressure may be small by chance. And on a rounded corner, on any
+// grid: the position of strips on the step of its curvature changes the peak by that much.
 constexpr double PRESSURE_LEFT = 1.0, LEFT_ON_CORNER = 6e-4;
 constexpr double COARSE = 2.0;  // times the usual estimate of the largest pressure, on coarser grids
-// Times the exponent: by this much at most a sharp end raises the pressure a half-width from it above that of strips
-// too wide to show it. Measured on straight rollers: 0.19 on half-spaces, 0.10 between mirrored, 0.02 between free
-// ends.
+// Times the exponent: largest excess of the pressure a half-width from a sharp end over that of strips too wide to show
+// it. Measured on straight rollers: 0.19 on half-spaces, 0.10 with mirrored, 0.02 with free ends.
 constexpr double RAISED = 0.38;
 constexpr double HIDDEN = 4.0;  // times the last strip's excess over the maximum: its mean is lower than the peak in it
-// What the modes and polynomials of a whole roller leave of approach and largest pressure, by twice as many on random
-// rollers. A load at one end alone leaves 8e-5 of the approach, one at a sharp end 5e-4 of the pressure beside it.
+// Error of approach and largest pressure by the modes and polynomials of a whole roller, from twice as many on random
+// rollers. A load at one end only has 8e-5 of the approach, one at a sharp end 5e-4 of the pressure beside it.
 constexpr double LEFT_BY_MODES = 2e-5, PRESSURE_LEFT_BY_MODES = 1e-4;
 constexpr double SHARP_END_ERROR = 0.12, LEFT_AT_END = 0.016;  // see `at_ends`
-constexpr double USUALLY_LEFT = 0.9;  // of the accuracy aimed for: 6 of 750 errors are larger where the change is small
+constexpr double USUALLY_LEFT = 0.9;  // of the target accuracy: 6 of 750 errors are larger where the change is small
 constexpr double WIDER_THAN_LONG = 1.02;
 constexpr std::size_t LEVELS = 3;
 
-/// What of the relief strips do not resolve.
+/// Relief that strips do not resolve.
 struct Unresolved {
   double penetration = -INFINITE, mean = 0.0;  ///< the mean departure from parabolas, by the loads of the strips [mm]
   Numbers ripples;                             ///< of pressure, as K q / a, that flatten each strip
@@ -53,7 +52,7 @@ Unresolved unresolved(const Model& model, const Level& level, const Pressures& s
       const Index at = i * WITHIN + k;
       const double depth = level.state.rigid[0] + level.state.rigid[1] * places[at];
       found.penetration = std::max(found.penetration, depth - h[at]);
-      // Relief deeper than the bodies approach is out of contact, however deep it is.
+      // Relief deeper than the approach is out of contact, however deep it is.
       near[k] = std::min(h[at], std::max(depth, least));
     }
     const double off = departure(near);
@@ -64,21 +63,21 @@ Unresolved unresolved(const Model& model, const Level& level, const Pressures& s
   return found;
 }
 
-/// What ends of the contact leave of approach or load on these strips, and on any; and of the pressure.
+/// Errors due to ends of the contact: of approach or load on these strips, and on any; and of the pressure.
 struct AtEnds {
   double floor = 0.0, left = 0.0, raised = 0.0;
 };
 
-/// The first is in proportion to the width of the last strip: measured on straight rollers, a tenth of both end strips'
-/// widths over the length, on equal and graded grids alike; 0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and
-/// zero at 1. Ends that are free of normal stress count as those of images with the same exponent.
+/// The first is proportional to the width of the last strip: measured on straight rollers, a tenth of both end strips'
+/// widths over the length, on equal and graded grids; 0.4 of that at kappa = 1/4, 0.2 at 1/2, 0.06 at 3/4 and zero
+/// at 1. Ends that are free of normal stress count as ends of images with the same exponent.
 ///
-/// The second no number of strips removes. Within a half-width of a sharp end the pressure across is no semi-ellipse;
-/// what that changes is in proportion to the load that a length of one half-width bears there: for kappa = 0, 0.0150 of
+/// The second remains for any number of strips. Within a half-width of a sharp end the pressure across is not a
+/// semi-ellipse; the effect is proportional to the load on a length of one half-width there: for kappa = 0, 0.0150 of
 /// its share of the load on a straight roller and 0.0103 on a crowned one, against three-dimensional solutions;
 /// LEFT_AT_END is above both.
 ///
-/// The third is that of the largest pressure if it is that a half-width from a sharp end, in wide strips.
+/// The third is the error of the largest pressure if that lies a half-width from a sharp end, in wide strips.
 AtEnds at_ends(const Pressures& strips, const Ends& ends, double length, double highest, double load) {
   const Grid& grid = strips.grid;
   AtEnds found;
@@ -94,7 +93,7 @@ AtEnds at_ends(const Pressures& strips, const Ends& ends, double length, double 
       if (0.0 < past && past < nearest) nearest = past, beyond = strips.pressure[i];
     }
     if (end.kind == EndKind::singular) {
-      // The strip a half-width from the end, by the half-width there.
+      // The strip a half-width away from the end, by the half-width there.
       const auto nearest_to = [&](auto distance) {
         Index at = 0;
         for (Index i = 1; i < grid.count(); ++i)
@@ -113,7 +112,7 @@ AtEnds at_ends(const Pressures& strips, const Ends& ends, double length, double 
   return found;
 }
 
-/// Beside which ends that few strips resolve the bodies overlap less than a half-width inside.
+/// Ends resolved by few strips at which the bodies overlap less than a half-width inside.
 std::vector<bool> falls_away(const Model& model, const Level& level, const Pressures& strips, View singular) {
   std::vector<bool> found(singular.size());
   double middle = 0.0;
@@ -132,9 +131,9 @@ std::vector<bool> falls_away(const Model& model, const Level& level, const Press
   return found;
 }
 
-/// How high summits may reach that are narrower than their strips, zero for all other strips.
+/// Possible height of summits narrower than their strips, zero for all other strips.
 ///
-/// A summit stands out no further than by twice what halving the strips has just raised it by.
+/// A summit rises by no more than twice its last increase on halving the strips.
 Numbers reaches_of(const Pressures& strips, const Pressures* coarse) {
   const Index n = strips.grid.count();
   Numbers found(n);
@@ -152,13 +151,13 @@ Numbers reaches_of(const Pressures& strips, const Pressures* coarse) {
   return found;
 }
 
-/// The relative error of the largest pressure, at a place, caused by what strips do not resolve.
+/// The relative error of the largest pressure, at a place, caused by unresolved relief and peaks.
 ///
-/// Flattening the departure from a parabola within a strip takes a ripple of pressure: by that the largest may be
-/// higher, and one elsewhere if that makes it higher than the largest. A summit may be narrower than its strips, and
-/// higher than another that they resolve. And on strips as wide as the contact, one that runs out shortly before the
-/// end of the bodies looks like one that reaches it: where the profile falls away there, the last strip may well have
-/// the largest pressure.
+/// Flattening the departure from a parabola within a strip takes a ripple of pressure: the largest pressure may be
+/// higher by that, as may another one, which then becomes the largest. A summit may be narrower than its strips, and
+/// higher than one that they resolve. And on strips as wide as the contact, a contact that runs out shortly before the
+/// end of the bodies looks like one that reaches it: if the profile falls away there, the last strip may have the
+/// largest pressure.
 double beside_strips(const Pressures& strips, View singular, const std::vector<bool>& falls, View reaches, View ripples,
                      const Largest& largest) {
   const Grid& grid = strips.grid;
@@ -182,11 +181,11 @@ double beside_strips(const Pressures& strips, View singular, const std::vector<b
 
 /// Estimate the error of a quantity from its values on successively coarser grids, finest first.
 ///
-/// An error that halves when the strips are halved is as large as the last change. At sharp ends it falls a little
-/// less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two: so it is
-/// twice the larger of the last change and half the change before it. Where strips regularly follow the ends of the
-/// contact, errors fall to a quarter or less, and LEFT_OF_CHANGE of the last change is left at most; but a change may
-/// be small by chance: USUALLY_LEFT says what such grids leave at least.
+/// An error that halves when the strips are halved is as large as the last change. At sharp ends it falls slightly
+/// less, and a contact whose end happens to suit the strips can hide it in one change, but hardly in two: the estimate
+/// is twice the larger of the last change and half the change before it. If strips follow the ends of the contact,
+/// errors fall to a quarter or less, and at most LEFT_OF_CHANGE of the last change remains; but a change may be small
+/// by chance: USUALLY_LEFT is the least error of such grids.
 double left_of_change(View values, double whole, bool regular) {
   if (values.size() < 2 || !(whole > 0.0)) return INFINITE;
   const double last = std::fabs(values[0] - values[1]) / whole;
@@ -230,7 +229,7 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   const Largest largest = largest_of(strips);
   const double highest = largest.value, load = resultant(strips)[0], reach = finest.grid->half_length();
   const Unresolved missing = unresolved(model, finest, strips, load);
-  // Relative to the penetration: what is approached before the bodies touch has no error, and may be most of it.
+  // Relative to the penetration: the approach before the bodies touch has no error, and may be most of it.
   const double before_touch = finest.state.rigid[0] - missing.penetration;
   std::array<Numbers, 5> values;
   for (std::size_t k = 0; k < grids.size(); ++k) {
@@ -245,7 +244,7 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   for (const auto& [low, high] : intervals(*finest.grid, finest.state.m))
     longest = std::max(longest, high - low), length += high - low;
   const auto is_kind = [&ends](EndKind kind) { return ends.ends[0].kind == kind || ends.ends[1].kind == kind; };
-  // Towards a corner errors fall in proportion to the strips only, and anyhow in contacts wider than long.
+  // At a corner errors fall only in proportion to the strips, and erratically in contacts wider than long.
   const bool follows = !at_corner && !is_kind(EndKind::corner) && !(widest > WIDER_THAN_LONG * longest);
   const double accuracy = follows ? levels.accuracy : 0.0;
   const bool regular = accuracy > 0.0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double AT_CORNER = 1.5;  // strips: a maximum this close to a corner of the profile is attributed to it
 
-/// Whether the largest pressure is at a corner of the profile: it has no limit there either.
+/// Whether the largest pressure is at a corner of the profile, where it is also singular.
 bool is_at_kink(const Model& model, const Level& level, double y, View singular) {
   const Grid& grid = *level.grid;
   Numbers inside;

@@ -8,7 +8,7 @@ namespace nonhertz {
 namespace {
 
 constexpr double SAME = 1e-6;      // relative difference up to which a place counts as that of a border
-constexpr double ROUNDING = 1e-9;  // up to which two values count as equal; of mirrored maxima it is 1e-12 at most
+constexpr double ROUNDING = 1e-9;  // up to which two values count as equal; mirrored maxima differ by at most 1e-12
 
 double nearest(double y, View ends) {
   double least = std::numeric_limits<double>::infinity();
@@ -16,17 +16,16 @@ double nearest(double y, View ends) {
   return least;
 }
 
-/// The place a half-width from an end between a strip and the next, if there is one, and the value there.
+/// The place between a strip and the next that is a half-width from an end, if there is one, and the value there.
 ///
-/// Interpolated by the power of the distance from the end that passes through both strips, or linearly where the end
-/// lies between them.
+/// Interpolated by a power of the distance from the end through both strips, or linearly if the end lies between them.
 Largest at_border(View y, View values, View half_width, View ends, Index i) {
   const Index j = i + 1;
   if (!(values[i] > 0.0 && values[j] > 0.0)) return {};
   const double first = nearest(y[i], ends), second = nearest(y[j], ends);
   if ((first > half_width[i]) == (second > half_width[j])) return {};
-  // The end that one strip is within a half-width of, and the distances of both from it towards the other strip. Seen
-  // from there both may be on its far side, if the contact is much narrower at the other strip.
+  // The end within a half-width of one strip, and the distances of both strips from it. Both may be on its far side, if
+  // the contact is much narrower at the other strip.
   const bool first_is_near = first <= half_width[i];
   const Index near = first_is_near ? i : j, far = first_is_near ? j : i;
   double end = ends[0];

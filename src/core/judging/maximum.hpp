@@ -5,27 +5,26 @@
 
 namespace nonhertz {
 
-/// A value, and where it is [mm].
+/// A value, and its position [mm].
 struct Largest {
   double value = 0.0, y = 0.0;
 };
 
 /// Places that may have the largest value, and the values there, zero where they do not count.
 ///
-/// First those of the strips, then those between each and the next.
+/// First those of the strips, then those between neighbouring strips.
 struct Counted {
   Numbers places, values;
 
-  /// Which is the largest; of those equal to rounding, as maxima that mirror each other are, the first along the
-  /// contact.
+  /// Index of the largest; of those equal to rounding, such as mirrored maxima, the first along the contact.
   Index at() const;
   Largest largest() const;
 };
 
-/// Values of strips, or of rows of cells, that count: more than a half-width from ends at which they have no limit.
+/// Values of strips, or of rows of cells, that count: more than a half-width from ends at which they are singular.
 ///
-/// Values are zero out of contact. In a contact too short for that, the one farthest from the ends counts, in
-/// half-widths.
+/// Values are zero out of contact. In a contact too short for that, the value farthest from the ends, in half-widths,
+/// counts.
 Counted counted(View y, View values, View half_width, View ends);
 
 }  // namespace nonhertz

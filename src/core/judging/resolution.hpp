@@ -1,4 +1,4 @@
-// How far the relief departs from parabolas between the strip centres, where a solution does not look.
+// Departure of the relief from parabolas between the strip centres, which a solution does not include.
 #pragma once
 
 #include <numbers>
@@ -8,14 +8,14 @@
 namespace nonhertz {
 
 inline constexpr int WITHIN = 9;
-/// The k-th of as many places within a strip, from -1/2 to 1/2.
+/// The k-th of the places within a strip, from -1/2 to 1/2.
 inline constexpr double within(int k) { return (k + 0.5) / WITHIN - 0.5; }
 
 /// The departure of the separation at these places from a parabola, root mean square [mm]; zero where it is infinite.
 double departure(View separation);
 
 /// K q / a that flattens a departure, over departure / width: a wave of amplitude A, sqrt(2) times its root mean
-/// square, takes a pressure of A / (K l), and q / a is pi / 2 times the pressure.
+/// square, requires a pressure of A / (K l), and q / a is pi / 2 times the pressure.
 inline constexpr double RIPPLE = 0.5 * std::numbers::pi * std::numbers::sqrt2;
 
 }  // namespace nonhertz

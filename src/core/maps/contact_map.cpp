@@ -12,12 +12,12 @@ constexpr double THIRD = 1.0 / 3.0;
 // Newton's method converges quadratically, and one linear step follows: a last step of 1e-5 leaves 1e-20.
 constexpr int STEPS = 60;
 constexpr double CLOSE = 1e-5;
-// Of the slope of the approach, were it quadratic in x: keeps the stiffness finite whatever the coefficients are.
+// Of the slope of the approach if it were quadratic in x: keeps the stiffness finite for any coefficients.
 constexpr double LEAST_SLOPE = 1e-3;
 
 double cube(double value) { return value * (value * value); }
 
-/// asinh(angle / scale), and its derivatives by x, on which the scale depends, and by the angle.
+/// asinh(angle / scale), and its derivatives by x, which determines the scale, and by the angle.
 TiltCoordinate stretched(double angle, double scale, double scale_x, double scale_xx) {
   const double root = std::sqrt(angle * angle + scale * scale);
   const double rate = -angle / (scale * root);  // by the scale
@@ -27,7 +27,7 @@ TiltCoordinate stretched(double angle, double scale, double scale_x, double scal
       -scale / cube(root) * scale_x, -angle / cube(root)};
 }
 
-/// Which of `count` intervals between borders a place is in.
+/// Index of the interval, of `count` between borders, that contains a place.
 Index interval(const double* borders, Index count, double place) {
   Index low = 0, high = count;
   while (high - low > 1) {
@@ -72,7 +72,7 @@ Derivatives derivatives(const double* coefficients, double t, double u) {
   return p;
 }
 
-/// A state at a neighbouring approach and tilt: load and moment go on in straight lines.
+/// A state at a neighbouring approach and tilt: load and moment are continued linearly.
 MapState moved(const MapState& of, double approach, double tilt) {
   const double by = approach - of.approach, turn = tilt - of.tilt;
   MapState there = of;
@@ -170,7 +170,7 @@ ContactMap::Pressed ContactMap::press(double tilt, double first, double approach
   double slope = now.surface.approach_by_x;
   now.last = now.surface.approach;
   if (approach >= now.last) return now;
-  // Between no load and the largest the root of the rise is nearly linear in x; the slope bends it.
+  // Between no load and the largest the root of the rise is nearly linear in x; the slope adds curvature.
   const double ratio = target / std::sqrt(now.last - first);
   const double bent = slope > 0.0 ? now.x + (1.0 - 2.0 * (now.last - first) / slope) * (1.0 - ratio) : 1.0;
   now.x = std::min(ratio * std::min(std::max(bent, 0.5), 2.0), 1.0);
@@ -209,7 +209,7 @@ MapState ContactMap::state(double x, double tilt, const Surface& surface, bool i
 MapState ContactMap::pressed(double approach, double tilt) const {
   const double near = within(tilt);
   const Touch first = first_touch(near);
-  // Beyond the range of tilts the first touch goes on in a straight line.
+  // Beyond the range of tilts the first touch is continued linearly.
   const double level = approach + first.arm * (tilt - near);
   if (!(level > first.approach)) return unloaded(approach, tilt, near == tilt);
   const Pressed there = press(near, first.approach, level);

@@ -1,4 +1,4 @@
-// A map: a stand-in for a contact, evaluated without allocations and with exact derivatives.
+// A map: a fast surrogate of a contact, evaluated without allocations and with exact derivatives.
 //
 // At a tilt gamma the state of a contact is a function of its load Q, and of one surface D(x, gamma), its *mean
 // approach*: the approach averaged over all loads from 0 to Q, with x = (Q / Q_most)^(1/3). Then
@@ -6,17 +6,17 @@
 //     approach  delta = d(Q D) / dQ = D + x/3 dD/dx,        moment  T = -Q dD/dgamma,
 //
 // because Q D is the complementary energy, whose derivatives are the approach and the negative moment. Derivatives of
-// both follow from second derivatives of D, and the stiffness is symmetric whatever D is. D is a spline of degree 5,
-// evaluated from one polynomial of 6 x 6 coefficients in each of its cells. Where approach and tilt are given, x is
-// found by Newton's method on the square root of approach - first touch, which is nearly linear in x.
+// both follow from second derivatives of D, and the stiffness is symmetric for any D. D is a spline of degree 5,
+// evaluated from one polynomial of 6 x 6 coefficients in each of its cells. If approach and tilt are given, x is found
+// by Newton's method on the square root of approach - first touch, which is nearly linear in x.
 //
 // Across tilts the spline has the coordinate z = asinh((gamma - centre) / (narrow + widening x^3)), scaled to 0 ... 1.
 // A body that touches along a straight length tips over between its ends within a tilt proportional to the load; in z
-// that happens over the same length at every load. Where no length does, widening is zero and z is proportional to the
+// this range has the same width at every load. Without such a length, widening is zero and z is proportional to the
 // tilt.
 //
-// How the load is spread along the contact is kept as places up to which the contact bears a given share of it. These
-// move smoothly where the load on a fixed strip would have a kink as the contact reaches it.
+// The distribution of the load along the contact is stored as the positions up to which the contact carries given
+// fractions of it. These move smoothly where the load on a fixed strip would have a kink as the contact reaches it.
 #pragma once
 
 #include <array>
@@ -42,45 +42,45 @@ struct TiltCoordinate {
   double z, by_x, by_tilt, by_x_twice, by_x_and_tilt, by_tilt_twice;
 };
 
-/// The range of a map and the three numbers of its tilt coordinate; of the numbers of a map the first.
+/// The range of a map and the three numbers of its tilt coordinate: the first numbers of a map.
 struct MapHead {
   double max_load, lowest_tilt, highest_tilt;  ///< [N], [rad]
   double centre, narrow, widening;             ///< [rad]
-  double rise;                                 ///< what the approach typically grows by up to the largest load [mm]
+  double rise;                                 ///< typical growth of the approach up to the largest load [mm]
   double low_end, high_end;                    ///< of the contact [mm]
   double load_cells, tilt_cells;               ///< numbers of cells
 
   TiltCoordinate tilt_coordinate(double x, double tilt) const;
 };
 
-/// A view of the numbers of a map, which stand in a row: `MapHead`, the borders of cells in x, then in z, and for every
-/// cell 36 coefficients of the mean approach; then, cell by cell and 36 for each, those of largest pressure / x, of
-/// largest half-width / x and of the places up to which the contact bears sin^2(k pi / 48) of the load, k = 0 ... 24.
+/// A view of the numbers of a map in one row: `MapHead`, the borders of cells in x, then in z, and for every cell 36
+/// coefficients of the mean approach; then, cell by cell and 36 for each, those of largest pressure / x, of largest
+/// half-width / x and of the positions up to which the contact carries sin^2(k pi / 48) of the load, k = 0 ... 24.
 class ContactMap {
  public:
   static constexpr Index QUANTILES = 25;
 
   explicit ContactMap(const double* numbers);
 
-  /// Return how many numbers a map has, by its head.
+  /// Return the number of numbers of a map, from its head.
   static Index size(const MapHead& head);
-  /// The same up to the coefficients of the mean approach, which `pressed` and `loaded` read alone.
+  /// The same up to the coefficients of the mean approach, the only ones that `pressed` and `loaded` read.
   static Index size_of_mean_approach(const MapHead& head);
 
   /// Return the state at an approach [mm] and a tilt [rad]; out of contact load, moment and stiffness are zero.
   MapState pressed(double approach, double tilt) const;
 
-  /// Return the state under a load [N] and at a tilt [rad]; under none that of first touch, without stiffness.
+  /// Return the state under a load [N] and at a tilt [rad]; without load that of first touch, without stiffness.
   MapState loaded(double load, double tilt) const;
 
-  /// Return largest pressure and half-width; outside the range the nearest load and tilt within count.
+  /// Return largest pressure and half-width; outside the range those of the nearest load and tilt within it.
   PressureAndWidth pressures(double load, double tilt) const;
 
-  /// Fill in how a load is shared by the strips between ascending stations [mm].
+  /// Fill in the loads on the strips between ascending stations [mm].
   void share(double load, double tilt, View stations, Row strip_loads) const;
 
  private:
-  /// Where a point is: the number of a cell, the place in it from 0 to 1, and one over its sizes.
+  /// Location of a point: the index of its cell, the place in it from 0 to 1, and one over the cell's sizes.
   struct Place {
     Index cell;
     double t, u, by_width, by_height;

@@ -1,4 +1,4 @@
-// How a load is shared by strips, from the places up to which given shares of it are borne.
+// Loads on strips from the positions up to which given fractions of the total load are carried.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -8,7 +8,7 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index DEEP = 32;          // columns that are eliminated at a time
+constexpr Index DEEP = 32;          // columns eliminated at a time
 constexpr int TALL = 4, BROAD = 8;  // numbers of a tile, which stays in registers
 
 constexpr Index whole(Index count) { return (count + BROAD - 1) / BROAD * BROAD; }
@@ -54,7 +54,7 @@ void Front::eliminate(Index count) {
   for (Index first = 0; first < count; first += DEEP) {
     const Index depth = std::min(DEEP, count - first), beyond = first + depth;
     factor(first, depth);
-    // Whole tiles from a multiple of their width on: columns before `beyond` are factors, and put back afterwards.
+    // Whole tiles from a multiple of their width on: columns before `beyond` are factors, and are restored afterwards.
     const Index start = beyond / BROAD * BROAD, rows = values_.rows();
     for (Index i = start; i < rows; i += TALL)
       for (Index j = start; j < i + TALL; j += BROAD)

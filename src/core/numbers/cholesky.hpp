@@ -1,12 +1,12 @@
-// Some unknowns of a symmetric system eliminated, what is left passed on: the step that direct solvers of elements
-// repeat.
+// Elimination of some unknowns of a symmetric system, leaving the Schur complement: the repeated step of direct element
+// solvers.
 #pragma once
 
 #include "numbers/array.hpp"
 
 namespace nonhertz {
 
-/// A symmetric matrix of which only the lower triangle counts, with room for whole tiles.
+/// A symmetric matrix of which only the lower triangle is used, with room for whole tiles.
 class Front {
  public:
   Front() = default;
@@ -20,7 +20,7 @@ class Front {
   /// Eliminate the first `count` unknowns by Cholesky's method: their rows and columns become the factor L, and the
   /// other numbers the Schur complement. Not finite where the matrix is not positive definite.
   void eliminate(Index count);
-  /// Make an unknown zero, whatever the others are.
+  /// Fix an unknown at zero.
   void hold(Index unknown);
 
  private:

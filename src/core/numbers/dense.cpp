@@ -7,7 +7,7 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index TALL = 4;  // rows worked on at once, for which another row is loaded only once
+constexpr Index TALL = 4;  // rows processed at once, for which another row is loaded only once
 
 /// Add `sign` times columns of `a`, from the first up to `end`, times rows of `b` to rows of `out` from `row` on.
 template <Index rows>
@@ -23,7 +23,7 @@ void add_products(const Matrix& a, Index first, Index end, const Matrix& b, doub
   }
 }
 
-/// The same for all rows from the first to before `last`.
+/// The same for all rows before `last`.
 void add_all_products(const Matrix& a, Index first, Index end, const Matrix& b, double sign, Index row, Index last,
                       Matrix& out) {
   for (; row + TALL <= last; row += TALL) add_products<TALL>(a, first, end, b, sign, row, out);
@@ -41,7 +41,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
 
 Matrix solved(Matrix a, Matrix b) {
   const Index n = a.rows();
-  // The factors of elimination take the place of what they eliminate.
+  // The factors of elimination replace the entries that they eliminate.
   for (Index k = 0; k < n; ++k) {
     Index pivot = k;
     for (Index i = k + 1; i < n; ++i)

@@ -1,11 +1,11 @@
-// Products and systems of full matrices, whose last digits depend on no library and no number of threads.
+// Products and systems of full matrices, whose last digits do not depend on a library or the number of threads.
 #pragma once
 
 #include "numbers/array.hpp"
 
 namespace nonhertz {
 
-/// a b; every sum goes along a row of `a` from its beginning.
+/// a b; every sum runs along a row of `a` from its beginning.
 Matrix product(const Matrix& a, const Matrix& b);
 
 /// a^-1 b, by elimination with the largest pivot of each column.

@@ -1,11 +1,11 @@
-// Curves through points: straight lines as numpy.interp draws them, and cubic polynomials as scipy's PPoly.
+// Curves through points: straight lines as in numpy.interp, and cubic polynomials as in scipy's PPoly.
 #pragma once
 
 #include "numbers/array.hpp"
 
 namespace nonhertz {
 
-/// Straight lines between points; level beyond the outermost.
+/// Straight lines between points; constant beyond the outermost.
 struct Polyline {
   Numbers places, values;  ///< places ascending
 
@@ -15,7 +15,7 @@ struct Polyline {
 /// Cubic polynomials between places.
 struct Cubics {
   Numbers places;       ///< ascending
-  Matrix coefficients;  ///< of each piece, of the distance from its beginning, highest power first
+  Matrix coefficients;  ///< of each piece, in powers of the distance from its beginning, highest first
 
   /// The value at a place within.
   double at(double x) const;

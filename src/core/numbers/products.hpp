@@ -1,4 +1,4 @@
-// Sums of products in a fixed order, with nothing reordered: what a compiler must not do by itself.
+// Sums of products in a fixed order, vectorised by hand: a compiler must not reorder them itself.
 #pragma once
 
 #include "numbers/array.hpp"

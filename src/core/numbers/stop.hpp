@@ -1,4 +1,4 @@
-// How a solve that is under way is stopped, at the latest after the Newton step that it is in.
+// Stopping a running solve, at the latest after the present Newton step.
 #pragma once
 
 #include <functional>
@@ -6,13 +6,13 @@
 
 namespace nonhertz {
 
-/// Thrown by a loop that is asked to stop.
+/// Thrown by a loop that is stopped.
 struct Stopped {};
 
-/// What a loop looks at before every step.
+/// Conditions that a loop checks before every step.
 struct Stop {
   std::stop_token token{};             ///< set by any thread
-  std::function<void()> every_step{};  ///< may throw: of the program around, which has signals to look at
+  std::function<void()> every_step{};  ///< may throw: callback of the calling program, for signals
 
   void look() const {
     if (token.stop_requested()) throw Stopped{};

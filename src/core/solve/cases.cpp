@@ -8,7 +8,7 @@
 namespace nonhertz {
 namespace {
 
-/// Strips without the matrix of all by all: of thousands of results they would fill the memory.
+/// Strips without the full matrix: those of thousands of results would fill the memory.
 std::shared_ptr<const Grid> without_depth(const Grid& grid) {
   return std::make_shared<const Grid>(
       Grid{grid.edges, grid.y, grid.separation, grid.curvature, grid.min_depth, grid.sharper, {}, {}});
@@ -19,14 +19,14 @@ Grids grids_of(const Model& model, const Prescription& given, const Strips& stri
   return equal_grids(model, given, std::get<Index>(strips));
 }
 
-/// Whether all cases have the same strips: where to look for a contact of endless bodies depends on the case, and so
-/// does an automatic grid.
+/// Whether all cases have the same strips: the region of a contact of infinite bodies depends on the case, and so does
+/// an automatic grid.
 bool are_shared(const Model& model, const Strips& strips) {
   return std::holds_alternative<Numbers>(strips) ||
          (std::holds_alternative<Index>(strips) && model.region() != nullptr);
 }
 
-/// Cases one after the other, on the same grids where these are shared.
+/// Cases one after the other, on the same grids if these are shared.
 class Course {
  public:
   Course(const Model& model, const Strips& strips)
@@ -38,7 +38,7 @@ class Course {
     return result;
   }
 
-  /// Solve a case that may start from those before. One that misleads is no reason to fail.
+  /// Solve a case that may start from previous ones. A misleading start is not a reason to fail.
   Result solve_next(const Prescription& given, const Stop* stop) {
     if (!shares_) return solve(given, stop);
     const bool is_first = tracks_.empty();

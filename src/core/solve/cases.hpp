@@ -1,4 +1,4 @@
-// One case, and similar cases one after the other: in, what is prescribed; out, all that is known of the solution.
+// One case, or similar cases one after the other: prescribed values in, solutions with all results out.
 #pragma once
 
 #include <variant>
@@ -8,35 +8,35 @@
 
 namespace nonhertz {
 
-/// A graded grid that aims at this accuracy, so many equal strips, or the edges of strips.
+/// A graded grid for this accuracy, a number of equal strips, or the edges of strips.
 using Strips = std::variant<Accuracy, Index, Numbers>;
 
-/// A case as it ended, judged also where the loop failed. What strips are measured against is left out of its grids.
+/// The outcome of a case, judged even if the loop failed. Its grids omit the matrix of reference points.
 struct Result {
   Prescription given;
   Levels levels;
   Pair resultant{};  ///< K Q [mm^2] and K T [mm^3]
   bool is_steady = true;
-  Shortfall shortfall{};  ///< of what has converged
+  Shortfall shortfall{};  ///< of the converged state
   Judgement judgement;
 
   const Level& finest() const { return levels.levels[0]; }
-  /// Whether it is a solution, and leaves its bodies rounder and thicker than the contact is wide.
+  /// Whether it is a solution with a contact narrower than the radii and depths of its bodies.
   bool holds() const;
 };
 
-/// Judge the solutions of a case on all levels, known to meet what is prescribed.
+/// Judge the solutions of a case on all levels, known to meet the prescribed values.
 Result judged(const Model& model, const Prescription& given, Levels levels);
-/// The same of solutions that have to be checked, on grids with all that strips are measured against.
+/// The same for solutions that have to be checked, on grids with the matrix of reference points.
 Result checked(const Model& model, const Prescription& given, Levels levels);
 
 /// Solve a case; throws Refused where no strips can meet what is prescribed, and Stopped.
 Result solve(const Model& model, const Prescription& given, const Strips& strips, const Stop* stop = nullptr);
 
-/// A result, or why there is none: Refused, or what a profile raised.
+/// A result, or the reason why there is none: Refused, or the exception of a profile.
 using Ended = std::variant<Result, std::exception_ptr>;
 
-/// Solve cases that may start from the one before, where they share their strips. Once stopped, return those solved.
+/// Solve cases that may start from the previous one if they share strips. Once stopped, return those solved.
 std::vector<Ended> solve_in_turn(const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets,
                                  const Strips& strips, const Stop* stop = nullptr);
 

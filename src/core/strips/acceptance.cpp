@@ -8,12 +8,12 @@
 namespace nonhertz {
 namespace {
 
-// A thousand times the loop's own tolerance: sums taken in another order differ by rounding, wrong answers by far more.
+// A thousand times the loop's own tolerance: sums in another order differ by rounding, wrong answers by far more.
 // Curvature rows are met only to the square of the last step.
 constexpr double TOLERANCE = 1e-8, CURVATURE_TOLERANCE = 1e-6;
 constexpr double ROUNDING = 1e-14;    // relative to the largest of the lengths whose difference is a gap
 constexpr double MOST_HIDDEN = 1e-2;  // largest rounding as a fraction of the interference
-constexpr double UNSTEADY = -1e-6;    // of stiffness against approach times reach^2: less is rounding
+constexpr double UNSTEADY = -1e-6;    // of the stiffness against approach times reach^2: smaller values are rounding
 
 Shortfall unusable(const Grid& grid, const Answer& answer) {
   const auto& [q, half_width, gap, motion] = answer;
@@ -44,7 +44,7 @@ Shortfall unbalanced(const Grid& grid, const Answer& answer, const Prescription&
   return {};
 }
 
-/// Add what a free side face adds: by its table where place and source are close to it, else by its series.
+/// Add the correction for a free side face: by its table if place and source are close to it, else by its series.
 void add_face(const Grid& grid, const Answer& answer, const Kernel& kernel, const Face& face, Row lift, Row bend) {
   const Numbers &q = answer.q, &half_width = answer.half_width;
   const Index n = grid.count();
@@ -57,7 +57,7 @@ void add_face(const Grid& grid, const Answer& answer, const Kernel& kernel, cons
   for (Index i = 0; i < n; ++i) u[i] = away_from_face(grid.y[i]);
   Matrix of_edges[2] = {Matrix(1 + POWERS, n + TILE), Matrix(1 + POWERS, n + TILE)}, work(2, n + TILE);
   Squares kept;
-  // Strips adjoin, so that the upper edge of one is the lower edge of the next.
+  // The upper edge of a strip is the lower edge of the next.
   double at_low = away_from_face(grid.low(0));
   far_terms(u, at_low, table, of_edges[0], work);
   for (Index j = 0; j < n; ++j) {

@@ -1,7 +1,7 @@
-// The final check of a solution: whether it meets what was prescribed, computed from its own arrays alone.
+// The final check of a solution: whether it meets the prescribed values, computed only from its own arrays.
 //
-// It shares nothing with the loop but the element's table and the images: from edges, loads, half-widths and motion it
-// recomputes displacement and curvature at every strip. A state that fails it is no solution, whatever the loop
+// It shares only the element's table and the images with the loop: from edges, loads, half-widths and motion it
+// recomputes displacement and curvature at every strip. A state that fails is not a solution, whatever the loop
 // reported.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Shortfall {
   Index at = 0;
 };
 
-/// What is claimed to be a solution: K q, half-width and gap of every strip, approach and tilt.
+/// The claimed solution: K q, half-width and gap of every strip, approach and tilt.
 struct Answer {
   Numbers q, half_width, gap;
   Pair motion;
@@ -31,7 +31,7 @@ struct Answer {
 Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const Answer& answer);
 Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state);
 
-/// Whether the bodies resist being pressed together and being tilted; spurious solutions do not.
+/// Whether the stiffness against approach and tilt is positive; spurious solutions fail this.
 bool steady(const std::array<Pair, 2>& stiffness, double reach);
 bool steady(const Grid& grid, const State& state);
 

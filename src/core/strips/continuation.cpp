@@ -9,8 +9,8 @@ namespace {
 constexpr double NEARBY = 0.1;     // relative change up to which the last case serves as the start
 constexpr std::size_t POINTS = 3;  // of a parabola
 constexpr double FARTHEST = 2.0;   // steps ahead of the last one
-constexpr double STRAIGHT = 1e-9;  // of a step: how far a prescription may lie off the line through the last two
-constexpr double BOUNDED = 2.0;    // factor by which a strip may change; beyond, it starts as it was
+constexpr double STRAIGHT = 1e-9;  // of a step: permitted distance of a prescription from the line through the last two
+constexpr double BOUNDED = 2.0;    // factor by which a strip may change; beyond, it starts from its last value
 
 bool is_similar(const Prescription& given, const Pair& before, const State& state, double half_length) {
   const Pair& target = given.target;
@@ -23,7 +23,7 @@ bool is_similar(const Prescription& given, const Pair& before, const State& stat
          std::fabs(target[1] - before[1]) <= NEARBY * scale;
 }
 
-/// How many times `step` leads from one prescription to another; nothing if it leads elsewhere.
+/// Number of times `step` from one prescription to another; nothing if they are not in line.
 std::optional<double> steps_between(const Pair& from, const Pair& to, const Pair& step) {
   std::optional<double> steps;
   for (int k = 0; k < 2; ++k) {
@@ -73,7 +73,7 @@ std::optional<State> Continuation::next(const Prescription& given, const Grid& g
   return state;
 }
 
-/// Of the last solutions in the next one: Lagrange's polynomials over the steps from one prescription to the next.
+/// Weights of the last solutions in the next start: Lagrange polynomials over the steps between prescriptions.
 std::vector<double> Continuation::weights(const Pair& target) const {
   std::vector<double> places{0.0};
   std::optional<double> ahead;

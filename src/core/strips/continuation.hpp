@@ -1,4 +1,4 @@
-// Where a case starts that follows similar ones on the same strips, as where a load rises from case to case.
+// Start of a case that follows similar ones on the same strips, as when a load rises from case to case.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace nonhertz {
 
-/// The last solutions on one grid, carried on to the next prescription.
+/// The last solutions on one grid, extrapolated to the next prescription.
 class Continuation {
  public:
   void add(const Prescription& given, const State& solution);
-  /// Return where the next case starts; nothing if the last one is not similar enough.
+  /// Return the start of the next case; nothing if the last one is not similar enough.
   ///
-  /// Prescriptions on a straight line are carried on by the parabola through the last three, or the line through two.
+  /// Prescriptions on a straight line are extrapolated by the parabola through the last three, or the line through two.
   std::optional<State> next(const Prescription& given, const Grid& grid) const;
 
  private:

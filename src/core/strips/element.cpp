@@ -12,7 +12,7 @@ constexpr int LONG_SERIES = 11;
 constexpr int MEANS = 10;  // arithmetic-geometric means from 1 and SMALL until both agree to the last bit
 constexpr int NODES = DEGREE + 1;
 
-/// What tells one element from another.
+/// The functions and constants that distinguish elements.
 struct Shape {
   double far_constant;
   std::array<double, 4> leading;                // for t -> 0: A' = l0 ln(l1/t), B = l2 t ln(l3/t)
@@ -41,7 +41,7 @@ std::array<double, NODES + 1> chebyshev(double x) {
 
 using Values = std::array<double, NODES>;
 
-/// The nodes of an interpolation, and what is worked out of values there.
+/// The nodes of an interpolation, and conversions of values there.
 struct Interpolation {
   Values nodes;
   std::array<std::array<double, NODES + 1>, NODES> at_nodes;  // Chebyshev polynomials
@@ -71,7 +71,7 @@ std::pair<Values, double> integrated(const Values& c, const Interpolation& by) {
   for (int k = 0; k < NODES; ++k) {
     of[k + 1] += k == 0 ? c[0] : c[k] / (2.0 * (k + 1));
     if (k > 1) of[k - 1] -= c[k] / (2.0 * (k - 1));
-    if (k == 1) of[0] += 0.0;  // a constant, which the difference drops
+    if (k == 1) of[0] += 0.0;  // a constant, which cancels in the difference
   }
   const auto sum = [&of](const auto& t) {
     double total = 0.0;

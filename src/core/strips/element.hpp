@@ -22,7 +22,7 @@ inline constexpr int SHORT_SERIES = 4;
 // Beyond t = REMOTE the powers t^-2 to t^-2 POWERS give A and B to 1e-13.
 inline constexpr double REMOTE = 10.0;
 inline constexpr int POWERS = 5;
-// Where the parts of the table begin.
+// Offsets of the parts of the table.
 inline constexpr Index SERIES_AT = Index{FAR_EXPONENT - SMALL_EXPONENT} * INTERVALS_PER_OCTAVE * (DEGREE + 1) * 4;
 inline constexpr Index LEADING_AT = SERIES_AT + SHORT_SERIES * 4;
 inline constexpr Index POWERS_AT = LEADING_AT + 4;

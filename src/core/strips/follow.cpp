@@ -7,7 +7,7 @@
 namespace nonhertz {
 namespace {
 
-/// Change m as springs would, so that strips leave at once where the bodies no longer overlap.
+/// Change m as for springs, so that strips leave at once where the bodies no longer overlap.
 void foresee(const Grid& grid, const Pair& motion, State& state) {
   const auto overlaps = [&](Index i) {
     const double now = motion[0] + motion[1] * grid.y[i] - grid.separation[i];

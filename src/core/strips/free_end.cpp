@@ -6,10 +6,10 @@ namespace nonhertz {
 namespace {
 
 constexpr double CLOSE = 1.0 / (1 << -FIRST_OCTAVE), TINY = 1e-300;
-constexpr double LOGARITHMIC = 16.0 * CLOSE;  // up to which both distances count as close to the edge
+constexpr double LOGARITHMIC = 16.0 * CLOSE;  // both distances up to this count as close to the edge
 constexpr std::array<int, POWERS + 1> DIRECTION_DEGREES{20, 16, 12, 10, 8, 8};
 
-// Where the parts of the table begin.
+// Offsets of the parts of the table.
 constexpr Index SQUARE = 4 * (SQUARE_DEGREE + 1) * (SQUARE_DEGREE + 1);
 constexpr Index FAR_AT = OCTAVES * OCTAVES * SQUARE;
 constexpr Index POLYNOMIALS = 20 + 16 + 12 + 10 + 8 + 8 + POWERS + 1;
@@ -58,7 +58,7 @@ double far_term(double u, double v, int k, Index at, const double* table) {
   return k == 0 ? -total + table[LOGARITHM_AT] * std::log(v) : -total;
 }
 
-/// What is added far away.
+/// The far-field correction.
 Four series(double u, double inner, double outer, const double* table, const double* element) {
   Four s;
   Index at = 0;
@@ -80,7 +80,7 @@ Four series(double u, double inner, double outer, const double* table, const dou
 Four up_to(double u, double v, const double* table, const double* element, Square& kept) {
   if (v <= 0.0) return {};
   if (u >= AWAY) return series(u, 0.0, v, table, element);
-  // Close to the edge h and c vary with the logarithm of the distance alone.
+  // Close to the edge h and c vary only with the logarithm of the distance.
   const double scale = std::max(1.0, std::min(CLOSE / std::max(std::min(u, v), TINY), LOGARITHMIC / std::max(u, v)));
   const double place = std::max(scale * u, CLOSE), edge = scale * v;
   const double share = std::min(edge / CLOSE, 1.0) / scale;
@@ -89,9 +89,9 @@ Four up_to(double u, double v, const double* table, const double* element, Squar
   return share * s + Four(h, h, c, c);
 }
 
-/// The polynomials of some places, the k-th multiplied by w^k; c: where their coefficients begin.
+/// The polynomials of some places, the k-th multiplied by w^k; c: start of their coefficients.
 ///
-/// Also of what comes after the last place, up to the end of a tile: there is room for it.
+/// Also evaluated beyond the last place, up to the end of a tile, for which there is room.
 void far_polynomials(const Matrix& work, Index begin, Index end, double sign, const double* c, Matrix& terms) {
   constexpr int PACKS = TILE / WIDTH;
   for (Index first = begin; first < end; first += TILE) {
@@ -120,7 +120,7 @@ void far_polynomials(const Matrix& work, Index begin, Index end, double sign, co
 
 Four free_end(double u, double inner, double outer, const double* table, const double* element, Squares& kept) {
   if (u + inner >= AWAY) return series(u, inner, outer, table, element);
-  // Beyond the table the rest is far away.
+  // The rest is beyond the table, in the far field.
   const double last = std::max(std::min(outer, AWAY), inner);
   const Four low = up_to(u, inner, table, element, kept[0]), high = up_to(u, last, table, element, kept[1]);
   return outer > last ? high - low + series(u, last, outer, table, element) : high - low;
@@ -140,7 +140,7 @@ void far_terms(View u, double v, const double* table, Matrix& terms, Matrix& wor
   }
   std::fill(x.begin() + n, x.end(), 0.0);
   std::fill(w.begin() + n, w.end(), 0.0);
-  // The places from begin to before end count from infinity.
+  // Places from begin to before end are integrated from infinity.
   Index begin = 0, end = 0;
   while (end < n && u[end] < v) ++end;
   if (end == 0) {

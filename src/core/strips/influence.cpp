@@ -9,11 +9,11 @@ namespace nonhertz {
 namespace {
 
 constexpr double SHORT = 0.25;  // width over distance below which nine terms of a logarithm's series are exact
-// What a strip does far away is worked out for an m so many times as large, and again once it is beyond that or below
-// this share of it: then far begins closer.
+// The far field of a strip is computed for an m this many times as large, and again once m exceeds that or falls below
+// this fraction of it, when the far field begins closer.
 constexpr double ROOM = 1.2, LEAST_SHARE = 0.25;
 
-/// Add what a source does at places from begin to end, at these distances from its nearer edge.
+/// Add the effect of a source on places from begin to end, at these distances from its nearer edge.
 void add_far(double* powers, Index stride, Index begin, Index end, const double* distance, double width,
              double weight) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ void add_far(double* powers, Index stride, Index begin, Index end, const double*
   }
 }
 
-/// Fill in the four functions of what one source does far away.
+/// Fill in the four functions of the far field of one source.
 void from_afar(const double* powers, double m, const double* table, std::vector<Four>& seen) {
   const Index n = static_cast<Index>(seen.size());
   std::array<Four, 1 + POWERS> factors;
@@ -124,7 +124,7 @@ void Influence::add_beyond_face(const Face& face, Index at) {
     if (!stale_[j]) continue;
     const double of_low = away_from_face(grid_.low(j)), of_high = away_from_face(grid_.high(j));
     Matrix &low = terms[j % 2], &high = terms[1 - j % 2];
-    // From one strip to the next the edge between them is the same.
+    // Neighbouring strips share the edge between them.
     if (j == 0 || !stale_[j - 1]) far_terms(u, of_low, table, low, work);
     far_terms(u, of_high, table, high, work);
     const double inner = std::min(of_low, of_high), outer = std::max(of_low, of_high);

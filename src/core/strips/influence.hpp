@@ -13,15 +13,15 @@ namespace nonhertz {
 /// [A], [t A'], [B] and [t B'] of some strips (columns) at the centres of all (rows).
 using Blocks = std::array<Matrix, 4>;
 
-/// How the strips of one grid act on one another.
+/// The influence of the strips of one grid on one another.
 ///
-/// What a strip does far away needs a short series in m only: all its terms, hundreds of images among them, are added
-/// up once, and serve for as long as the strip is not wider than it may become, nor so narrow that it pays (`keep_up`).
+/// The far field of a strip is a short series in m: all its terms, including hundreds of images, are added up once, and
+/// remain valid until the strip exceeds a width, or is so narrow that an update pays (`keep_up`).
 class Influence {
  public:
   Influence(const Grid& grid, const Kernel& kernel);
 
-  /// Work out what those strips do far away that have left the widths for which it was.
+  /// Update the far field of strips whose widths have left its range.
   void keep_up(View m);
   /// Fill in the coefficients of the strips `active`.
   void coefficients(View m, const std::vector<Index>& active, Blocks& out);
@@ -41,24 +41,23 @@ class Influence {
   const Grid& grid_;
   const Kernel& kernel_;
   Index n_;
-  std::vector<Range> near_;  // of each term and face, and source: the places that are not far
-  Matrix powers_;            // of each source: the logarithm of far edge over near, and differences of 1 / y'^2k
-  Numbers limits_;           // largest m for which this holds, 0 where nothing is known
-  std::vector<char> stale_;  // which strips have to be worked out again
-  std::vector<Four> seen_;   // what one source does at all places
-  Numbers distance_, away_;  // room to work in
+  std::vector<Range> near_;  // for each term and face, and source: the places in the near field
+  Matrix powers_;            // for each source: the logarithm of far edge over near edge, and differences of 1 / y'^2k
+  Numbers limits_;           // largest m for which this is valid, 0 if not computed
+  std::vector<char> stale_;  // strips to be updated
+  std::vector<Four> seen_;   // effect of one source on all places
+  Numbers distance_, away_;  // work arrays
   Squares squares_;
 };
 
-/// What a free side face adds to [A], [t A'], [B] and [t B'] at y of a strip with 1/a = inverse.
+/// Correction for a free side face to [A], [t A'], [B] and [t B'] at y of a strip with 1/a = inverse.
 Four added_by_face(double y, double low, double high, double inverse, const Face& face, const Element& element,
                    Squares& kept);
 
-/// Displacement on the surface at any places, per unit of compliance, points at depth left out.
+/// Displacement on the surface at any places, per unit of compliance, without points at depth.
 Numbers on_the_surface(View places, const Grid& grid, const State& state, const Kernel& kernel);
 
-/// What its half-width a changes in [A] of a strip on itself, C0 + C1 a + (C2 ln a + C3) a^2, and a times the
-/// derivative.
+/// Effect of its half-width a on [A] of a strip on itself, C0 + C1 a + (C2 ln a + C3) a^2, and a times the derivative.
 inline Pair by_own_width(const Matrix& by_width, Index strip, double a) {
   if (by_width.empty() || by_width(2, strip) == 0.0) return {};
   const double logarithmic = by_width(2, strip), linear = by_width(1, strip);

@@ -1,4 +1,4 @@
-// How strips act on both surfaces.
+// The influence of strips on both surfaces.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ struct Term {
   double sign, offset, weight;
 };
 
-/// What `free_end` reads, for one Poisson's ratio.
+/// The table read by `free_end`, for one Poisson's ratio.
 struct FaceTable {
   Numbers numbers;
   const double* data() const { return numbers.data(); }
 };
 
-/// A side face that is free of normal stress, too: -1 at low, 1 at high y.
+/// A side face that is also free of normal stress: -1 at low, 1 at high y.
 struct Face {
   double place, side, weight;
   std::shared_ptr<const FaceTable> table;

@@ -9,9 +9,9 @@
 namespace nonhertz {
 namespace {
 
-constexpr Index DEEP = 256;  // columns of a product that are added up at a time, whose rows stay in the cache
+constexpr Index DEEP = 256;  // columns of a product added up at a time, whose rows stay in the cache
 
-/// Numbers in rows that are `stride` apart.
+/// Rows of numbers `stride` apart.
 template <class T>
 struct Block {
   T* at;
@@ -20,7 +20,7 @@ struct Block {
   Block shifted(Index rows, Index columns) const { return {at + rows * stride + columns, stride}; }
 };
 
-/// Subtract the product of `left` (depth columns) and `right` (depth rows) from one tile of so many packs across.
+/// Subtract the product of `left` (depth columns) and `right` (depth rows) from one tile of PACKS packs across.
 template <int PACKS>
 inline void subtract_tile(Block<double> result, Block<const double> left, Block<const double> right, Index depth) {
   Pack sum[TALL][PACKS] = {};  // stays in registers once the loops over it are unrolled
@@ -51,7 +51,7 @@ void subtract_tiles(Block<double> result, Block<const double> left, Block<const 
   }
 }
 
-/// Solve for some rows whose factors stand below (`Lower`) or above the diagonal, in registers: columns are many.
+/// Solve for some rows whose factors are below (`Lower`) or above the diagonal, in registers: columns are many.
 template <int ROWS, bool Lower>
 void substitute(Block<double> rows, Block<const double> matrix, Index columns) {
   double factor[ROWS][ROWS], inverse[ROWS];
@@ -93,7 +93,7 @@ void scale(double* row, double factor, Index count) {
 
 inline Pack larger(Pack one, Pack other) { return one > other ? one : other; }
 
-/// The first of the largest in magnitude from `first` on, if one is not zero.
+/// The first of the largest in magnitude from `first` on, unless all are zero.
 Index largest_of(const double* values, Index first, Index end) {
   Pack most = {};
   Index i = first;

@@ -1,6 +1,6 @@
 // Small dense linear equations, by Gaussian elimination with row pivoting, in a fixed order of operations.
 //
-// With a hundred unknowns, a call to LAPACK loses in copies and threads what it saves in arithmetic. Nearly all of the
+// With a hundred unknowns, LAPACK's overhead of copies and threads exceeds its gain in arithmetic. Nearly all of the
 // work is one matrix product, in tiles of 4 x 8 numbers that stay in registers. Systems are padded to whole tiles with
 // equations x = 0, so that tiles hardly ever meet an edge.
 #pragma once

@@ -9,15 +9,16 @@ namespace nonhertz {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-// Once residual and step are this small, the error left is the square of the step, and the stiffness is accurate to
-// SMALL_STEP. The same on the way to a finer grid, where the stiffness is not needed.
+// Once residual and step are this small, the remaining error is the square of the step, and the stiffness is accurate
+// to SMALL_STEP. The same on the way to a finer grid, where the stiffness is not needed.
 constexpr double NEARLY = 1e-8, SMALL_STEP = 1e-5, ROUGHLY_NEARLY = 1e-3, ROUGHLY_SMALL = 0.1;
-constexpr int STEP_LIMIT = 60, FOLLOWING = 12;  // from nothing, and where a contact follows another approach and tilt
+constexpr int STEP_LIMIT = 60,
+              FOLLOWING = 12;         // for a solve, and for a contact that follows to another approach and tilt
 constexpr double LEAST_CHANGE = 0.3;  // smallest factor by which r may change in one step; its inverse is the largest
 constexpr double WIDEST = 1e4;        // half-width over half the length, beyond which the iteration has diverged
 // A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 constexpr double LET_SETTLE = 0.1;
-// Of a step, while a strip that has left and entered again is far from settled: whole steps would drive it out again.
+// Of a step, while a strip that has left and re-entered is far from settled: full steps would drive it out again.
 constexpr double AFTER_RETURN = 0.5;
 
 double imbalance(const Prescription& given, const Pair& off, double load) {
@@ -116,13 +117,13 @@ void Newton::find_active(const State& state) {
     if (state.m[i] > 0.0) active_.push_back(i);
 }
 
-/// Linearise; fill in the gap of idle strips, and return the largest residual that they are not yet part of.
+/// Linearise; fill in the gap of idle strips, and return the largest residual without them.
 Newton::Weighed Newton::weigh(const Prescription& given, const Options& options, State& state) {
   const double unbent = linearise(given, options, state);
   auto [scale, noise, unsettled] = scales(state);
   idle_.clear(), raised_.clear();
   for (Index i = 0; i < grid_.count(); ++i) {
-    // Where the bodies never meet the gap is infinite, whatever the displacement.
+    // Where there is no body the gap is infinite, whatever the displacement.
     const bool idle = !(state.m[i] > 0.0);
     state.gap[i] = idle ? -state.interference(grid_, i) : 0.0;
     if (idle && std::isfinite(state.gap[i])) idle_.push_back(i), raised_.push_back(state.gap[i]);
@@ -146,7 +147,7 @@ Newton::Weighed Newton::scales(const State& state) const {
   return {deepest > 0.0 ? deepest : moved, 1e-15 * (moved + longest), 0.0};
 }
 
-/// Set up the equations at a state, whose r is brought to the curvature rows; return these rows' largest residual.
+/// Set up the equations at a state, with r from the curvature rows; return these rows' largest residual.
 double Newton::linearise(const Prescription& given, const Options& options, State& state) {
   const Index k = static_cast<Index>(active_.size()), at = padded(k);
   influence_.coefficients(state.m, active_, blocks_);
@@ -180,7 +181,7 @@ double Newton::linearise(const Prescription& given, const Options& options, Stat
   return unbent;
 }
 
-/// Return target minus current approach or load, and tilt or moment; a tilt as the approach it gives at the end.
+/// Return target minus current approach or load, and tilt or moment; a tilt as the approach at the end.
 Pair Newton::balance(const Prescription& given, const Pair& rigid, double load, double moment) const {
   return {given.by_force[0] ? given.target[0] - load : given.target[0] - rigid[0],
           given.by_force[1] ? given.target[1] / half_ - moment : (given.target[1] - rigid[1]) * half_};
@@ -261,7 +262,8 @@ void Newton::border(State& state) {
 Pair Newton::rigid_step(const Prescription& given) const {
   double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
   auto [first, second] = off_;
-  // A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal leaves its tilt alone.
+  // A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal keeps its tilt
+  // unchanged.
   const double ridge = 1e-14 * std::fabs(response_[0][1]);
   if (given.by_force[0]) {
     a = response_[0][1] + ridge, b = response_[0][2];

@@ -1,4 +1,4 @@
-// The one loop: a semi-smooth Newton method for loads and half-widths of all strips at once.
+// The loop: a semi-smooth Newton method for loads and half-widths of all strips at once.
 //
 // For each strip in contact the gap and its second derivative across vanish on the centre line; a strip whose m would
 // turn negative leaves, one whose gap is negative enters. The curvature rows are linear in r: every step first solves
@@ -12,7 +12,7 @@
 
 namespace nonhertz {
 
-// For a solution, and for one that only serves as the start on the next grid.
+// For a solution, and for a start on the next grid.
 inline constexpr double TOLERANCE = 1e-11, ROUGH_TOLERANCE = 1e-6;
 
 struct Options {
@@ -20,10 +20,10 @@ struct Options {
   double relaxation = 1.0;       ///< fraction of each step to take
   bool eager = true;             ///< whether the curvature rows are solved for r before every step
   bool follows = false;          ///< whether a solved contact follows another motion: see `Newton::resultant`
-  const Stop* stop = nullptr;    ///< looked at before every step
+  const Stop* stop = nullptr;    ///< checked before every step
 };
 
-/// A Newton loop on one grid, with the room it works in.
+/// A Newton loop on one grid, with its work arrays.
 class Newton {
  public:
   Newton(const Grid& grid, const Kernel& kernel);
@@ -31,11 +31,11 @@ class Newton {
   const Grid& grid() const { return grid_; }
   const Kernel& kernel() const { return kernel_; }
 
-  /// Solve from the r, m and rigid motion in `state`, and leave there what is reached.
+  /// Solve from the r, m and rigid motion in `state`, and store the result there.
   ///
   /// A contact that follows stops as soon as load and moment are accurate, and is not checked.
   void run(const Prescription& given, const Options& options, State& state);
-  /// K Q and K T of a contact that followed, with what the last step would still add: their errors are its square.
+  /// K Q and K T of a contact that followed, including the last step's change: their errors are its square.
   const Pair& resultant() const { return resultant_; }
   /// Fill the gap everywhere and return the largest relative violation of contact and balance.
   double violation(const Prescription& given, State& state);
@@ -75,10 +75,10 @@ class Newton {
   System curved_, step_;  // F = d r / d (r mu) and r itself; the step for three right-hand sides
   Matrix loaded_;
   Numbers r_, m_, q_, missing_, weights_, lever_, unclosed_, bent_;
-  Numbers moved_, changes_;                       // one of the solutions, and what follows from it
+  Numbers moved_, changes_;                       // one of the solutions, and the resulting changes
   std::vector<std::array<double, 3>> d_r_, d_q_;  // relative changes for the residual and both rigid motions
   std::array<std::array<double, 3>, 2> response_{};
-  std::vector<char> has_left_;  // strips that have been in contact and are not, or were not
+  std::vector<char> has_left_;  // strips that have left contact, some of which may have re-entered
   Pair resultant_{};
   Pair off_{};               // target minus current approach or load, and tilt or moment
   std::vector<Index> idle_;  // strips out of contact where the bodies are

@@ -13,8 +13,8 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr double LEAST_RISE = 1e-3;  // of the load: a smaller increment is not attempted
 constexpr double BEYOND_HELP = 2.0;  // depth in half-widths below which a failed start is not retried
 constexpr int RISES = 40;
-// On more than PATIENT_STRIPS no other start is tried once those that failed have cost so many steps on that many
-// strips, nor is the load raised: a step costs the cube of the strips.
+// On more than PATIENT_STRIPS no other start is tried once failed ones have cost the equivalent of this many steps on
+// that many strips, nor is the load raised: the cost of a step grows with the cube of the strips.
 constexpr double RETRIED = 360.0;
 
 enum Start { BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS };
@@ -28,7 +28,7 @@ bool within_reach(const Grid& grid, const Prescription& given) {
   return grid.y[*first] <= arm && arm <= grid.y[*last];
 }
 
-/// Run the loop from where the state stands, unless a body is thinner there than its contact is wide.
+/// Run the loop from the present state, unless a body is thinner than its contact is wide.
 void run(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
          State& state) {
   std::fill(state.gap.begin(), state.gap.end(), 0.0);
@@ -37,9 +37,9 @@ void run(Newton& loop, const Grid& grid, const Prescription& given, const Kernel
   if (!too_thin(grid, kernel, state.m, HOPELESS)) loop.run(given, options, state);
 }
 
-/// Run it from springs under a small load, and on in steps as large as it allows.
+/// Run it from springs under a small load, which is raised in steps as large as possible.
 ///
-/// A state that converged only at a share of the load is not a solution and is not marked as one.
+/// A state that converged only at a fraction of the load is not a solution and is not marked as one.
 void raise_load(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
                 State& state) {
   double reached = 0.0, share = 0.01;

@@ -1,4 +1,4 @@
-// One case on given strips: where the loop fails from one start, the next is tried.
+// One case on given strips: if the loop fails from one start, the next is tried.
 #pragma once
 
 #include <optional>
@@ -7,18 +7,18 @@
 
 namespace nonhertz {
 
-// Depth in half-widths below which no loop is started. Those of independent springs may be half of the true ones where
-// bodies are thin.
+// Depth in half-widths below which no loop is started. Half-widths of independent springs may be half of the true ones
+// for thin bodies.
 inline constexpr double HOPELESS = 0.7;
 inline constexpr Index PATIENT_STRIPS = 400;  // up to which all starts are tried
 
-/// Which starts there are beside springs, and how hard to try.
+/// Starts other than springs, and the effort.
 struct Attempt {
   std::optional<State> before;  ///< close to the solution, from similar cases on the same strips
   const Level* near = nullptr;  ///< a solution on other strips
   double tolerance = TOLERANCE;
-  bool patient = true;         ///< whether to try hard
-  const Stop* stop = nullptr;  ///< looked at before every step
+  bool patient = true;         ///< whether to try all starts
+  const Stop* stop = nullptr;  ///< checked before every step
 };
 
 State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt);

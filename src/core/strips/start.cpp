@@ -7,10 +7,10 @@
 namespace nonhertz {
 namespace {
 
-/// Springs side by side: where they are, how wide, and how far the other body is above them.
+/// Independent springs: positions, widths, and distances of the other body.
 ///
-/// Each responds to its own load alone, so that all together are a convex, piecewise linear problem with a solution for
-/// any pair of prescribed quantities: by Newton's method for the approach, by false position for the tilt.
+/// Each responds only to its own load, so that together they form a convex, piecewise linear problem with a solution
+/// for any pair of prescribed quantities: by Newton's method for the approach, by false position for the tilt.
 struct Bed {
   Numbers y, width, height;
   double stiffness = 0.0;
@@ -23,7 +23,7 @@ struct Bed {
     double tilt = given.target[1], other = tilt;
     if (given.by_force[1]) std::tie(tilt, other) = tilts(given);
     double approach = approach_at(tilt, given);
-    // With nothing in contact the moment is zero too. For a nonzero target take the end of the bracket in contact.
+    // Without contact the moment is also zero. For a nonzero target take the end of the bracket in contact.
     double deepest = -std::numeric_limits<double>::infinity();
     for (Index i = 0; i < count_of(y); ++i) deepest = std::max(deepest, approach + tilt * y[i] - height[i]);
     if (given.target[1] != 0.0 && !(deepest > 0.0)) {
@@ -51,7 +51,7 @@ struct Bed {
       over = excess_moment(high, given);
     }
     constexpr int SECANTS = 30;
-    // False position (Illinois variant): halve the value at an end that stays put.
+    // False position (Illinois variant): halve the value at an end that does not move.
     for (int i = 0; i < SECANTS; ++i) {
       if (over == 0.0 || std::fabs(high - low) <= 1e-10 * (std::fabs(high) + std::fabs(low))) break;
       const double middle = high - over * (high - low) / (over - excess), found = excess_moment(middle, given);
@@ -66,8 +66,8 @@ struct Bed {
 
   /// Return the approach at this tilt: the prescribed one, or the one at which the springs carry the load.
   ///
-  /// With all springs acting, in tension where they are too short, the approach is too large. Dropping those in tension
-  /// lowers it, and so on down to the exact answer.
+  /// With all springs acting, some in tension, the approach is too large. Dropping those in tension lowers it, and so
+  /// on down to the exact answer.
   double approach_at(double tilt, const Prescription& given) const {
     if (!given.by_force[0]) return given.target[0];
     double approach = std::numeric_limits<double>::infinity();
@@ -118,8 +118,7 @@ void continue_past_ends(View y, View m, Index step, Row extended) {
 }  // namespace
 
 void start_from_springs(const Grid& grid, const Prescription& given, const Kernel& kernel, State& state) {
-  // Mirrored where the moment is negative, so that two cases that are mirror images of each other start identically to
-  // the last bit.
+  // Mirrored if the moment is negative, so that two mirrored cases start identically to the last bit.
   const double side = given.by_force[1] && given.target[1] < 0.0 ? -1.0 : 1.0;
   const Index n = grid.count();
   double half = 0.0;
@@ -158,8 +157,8 @@ void start_from_springs(const Grid& grid, const Prescription& given, const Kerne
 bool start_from_other(const Level& other, const Grid& grid, const Prescription& given, State& state) {
   const Numbers& near_y = other.grid->y;
   const State& near = other.state;
-  // m passes linearly through zero where the contact ends: the first idle strip is given the value that continues the
-  // line, so that strips are in or out of contact according to where it really ends.
+  // m passes linearly through zero where the contact ends: the first idle strip gets the value that continues the line,
+  // so that strips are in or out of contact according to the actual end.
   Numbers extended = near.m;
   for (Index side : {1, -1}) continue_past_ends(near_y, near.m, side, extended);
   std::vector<Index> bearing;

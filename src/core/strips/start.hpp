@@ -1,4 +1,4 @@
-// Where the Newton loop starts: independent springs, or the solution on another grid.
+// Starts of the Newton loop: independent springs, or the solution on another grid.
 #pragma once
 
 #include "strips/kernel.hpp"

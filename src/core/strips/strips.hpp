@@ -1,4 +1,4 @@
-// What the core passes around: a grid, what is prescribed on it, and the state the loop leaves it in.
+// Common structures of the core: a grid, the prescribed values, and the state reached by the loop.
 //
 // Loads are multiplied by the compliance K of the contact, so that K q has the unit of a length and K Q of its square.
 #pragma once
@@ -12,14 +12,14 @@ namespace nonhertz {
 
 using Pair = std::array<double, 2>;
 
-/// Strips side by side, with everything that is known about them before their loads are.
+/// Strips, with all their data other than loads.
 struct Grid {
   Numbers edges;                  ///< ascending [mm]
   Numbers y;                      ///< centres [mm]
   Numbers separation, curvature;  ///< h [mm] and 1/rho [1/mm] at the centres
   Numbers min_depth, sharper;     ///< the smaller of both depths [mm], the larger of both curvatures in magnitude
-  Matrix at_depth;                ///< displacement per K q of what it is measured against; empty where that is at rest
-  Matrix by_width;                ///< what a changes on the strip itself, rows C0 to C3; empty on flat surfaces
+  Matrix at_depth;                ///< displacement of the reference points per K q; empty if they do not move
+  Matrix by_width;                ///< effect of a on the strip itself, rows C0 to C3; empty on flat surfaces
 
   Index count() const { return count_of(y); }
   double low(Index i) const { return edges[i]; }
@@ -28,7 +28,7 @@ struct Grid {
   double half_length() const { return 0.5 * (edges.back() - edges.front()); }
 };
 
-/// Which of load and approach, and of moment and tilt, are given, and their values.
+/// Whether load or approach, and moment or tilt, are given, and their values.
 struct Prescription {
   std::array<bool, 2> by_force;
   Pair target;  ///< K Q [mm^2] or delta [mm]; K T [mm^3] or gamma [rad]
@@ -38,7 +38,7 @@ struct Prescription {
 
 enum class Status { converged, iteration_limit, stagnated };
 
-/// The unknowns of strips, and what follows from them.
+/// The unknowns of strips, and derived values.
 struct State {
   Numbers r, m;                     ///< K q / a^2 and a^2; m = 0 marks a strip out of contact
   Numbers gap;                      ///< on the centre line [mm]
@@ -53,7 +53,7 @@ struct State {
   double interference(const Grid& grid, Index i) const { return rigid[0] + rigid[1] * grid.y[i] - grid.separation[i]; }
 };
 
-/// A state with the strips that it is of.
+/// A state with its strips.
 struct Level {
   std::shared_ptr<const Grid> grid;
   State state;

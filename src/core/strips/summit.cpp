@@ -7,13 +7,13 @@ namespace nonhertz {
 namespace {
 
 constexpr double SAME = 1e-9;
-constexpr double LEAST_SAGITTA = 0.01;  // a cusp's is larger, one that strips resolve smaller
-// Of the change of a summit's pressure from half the strips, what is left: in a smooth stretch, and where strips are
-// narrower than this share of a half-width, which only a corner of the profile makes them; and of the sagitta within
-// the strip. Measured on 800 random rollers, of which they leave 3 uncovered.
+constexpr double LEAST_SAGITTA = 0.01;  // that of a cusp is larger, that of a resolved summit smaller
+// Remaining error over the change of a summit's pressure from half the strips: in a smooth interval, and where strips
+// are narrower than this fraction of a half-width, which happens only at a corner of the profile; and over the sagitta
+// within the strip. Measured on 800 random rollers, of which 3 exceed the estimate.
 constexpr double SMOOTH_LEFT = 0.5, CORNER_LEFT = 1.6, CORNER_STRIP = 0.2, SAGITTA_LEFT = 0.6;
 
-/// The pressure at y on the parabola through the nearest three strips; of fewer strips, the largest.
+/// The pressure at y on the parabola through the nearest three strips; the largest of fewer strips.
 double pressure_at(const Pressures& strips, double y) {
   const Numbers &places = strips.grid.y, &p = strips.pressure;
   const Index n = count_of(p);
@@ -42,7 +42,7 @@ double sagitta(View p, Index at) { return p[at] > 0.0 ? (2.0 * p[at] - p[at - 1]
 
 bool is_summit(View pressure, Index at) {
   const double beside = std::max(pressure[at - 1], pressure[at + 1]);
-  // Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as on the
+  // Two strips beside the middle may differ by rounding. A contact may run out beside its largest pressure, as at the
   // corner of a roller.
   return beside > 0.0 && pressure[at] >= (1.0 - SAME) * beside;
 }

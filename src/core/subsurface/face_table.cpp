@@ -8,7 +8,7 @@
 namespace nonhertz {
 namespace {
 
-/// The four cubic splines that are not zero between a knot and the next, at x.
+/// The four cubic splines that are nonzero between a knot and the next, at x.
 std::array<double, 4> cubic_splines(double x, const double* knot) {
   std::array<double, 4> found{1.0};
   for (int degree = 1; degree <= 3; ++degree) {

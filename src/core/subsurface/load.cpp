@@ -17,7 +17,7 @@ void below_load(const Load& load, const std::vector<Term>& terms, double poisson
   Numbers seen(points.size()), part(out.size());
   std::ranges::fill(out, 0.0);
   for (const auto& [sign, offset, weight] : terms) {
-    // Points as they lie to the pressure itself when seen from its image.
+    // Points mapped from the image to the pressure itself.
     for (std::size_t i = 0; i < seen.size(); i += 3)
       seen[i] = points[i], seen[i + 1] = sign * (points[i + 1] - offset), seen[i + 2] = points[i + 2];
     std::visit([&](const auto& of) { below(of, poisson, displaced, seen, part); }, load.of);

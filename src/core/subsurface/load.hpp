@@ -15,7 +15,7 @@ struct Load {
 };
 
 /// Six components of the stress [MPa] at points (x, y, z in a row), or of the shear modulus times the displacement,
-/// that the load and its images have together.
+/// of the load and its images together.
 void below_load(const Load& load, const std::vector<Term>& terms, double poisson, bool displaced, View points, Row out);
 
 }  // namespace nonhertz

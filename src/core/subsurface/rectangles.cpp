@@ -13,13 +13,13 @@ constexpr Index EXACT = -1;
 
 using Range = Panels::Range;
 
-/// Rows of a panel that one rule handles, or Love's form.
+/// Rows of a panel handled by one rule, or by Love's form.
 struct Piece {
   Index panel, rule;
   Range rows;
 };
 
-/// The rows that reach into the ellipse of a rule about the point.
+/// The rows that intersect the ellipse of a rule about the point.
 Range rows_within(double x, double y, double z, const Panels& panels, Index panel, Index rule) {
   const double half = panels.half[panel], along = panels.ellipses(rule, 0), across = panels.ellipses(rule, 1);
   const double apart = x - panels.middle[panel];
@@ -30,7 +30,7 @@ Range rows_within(double x, double y, double z, const Panels& panels, Index pane
   return {static_cast<Index>(std::floor(low)), static_cast<Index>(std::ceil(high))};
 }
 
-/// Divide the load for one point. `left` is room for the rows that each panel has to handle.
+/// Divide the load for one point. `left` is a buffer for the rows that each panel has to handle.
 void divide(double x, double y, double z, const Panels& panels, std::vector<Range>& left, std::vector<Piece>& pieces) {
   const Index total = std::ssize(panels.half);
   left = panels.rows;
@@ -53,7 +53,7 @@ void divide(double x, double y, double z, const Panels& panels, std::vector<Rang
   }
 }
 
-/// The row that the point lies under, -1 for none of them.
+/// The row above the point, -1 if there is none.
 Index row_over(double y, const Numbers& y_edges, const Range& rows) {
   if (!(y_edges[rows.first] < y && y <= y_edges[rows.end])) return -1;
   Index row = rows.first;
@@ -124,13 +124,13 @@ struct Displacement {
   }
 };
 
-/// Adds up what tails do, in the order in which they come; many at a time, for packs of them.
+/// Adds up the effect of tails in their order; many at a time, in packs.
 template <class Kind>
 class Sum {
  public:
   Sum(double z, double poisson) : z_(z), poisson_(poisson) {}
 
-  /// `mirrored` counts for what is even in y.
+  /// `mirrored` is the sign for components even in y.
   void add(double X, double Y, double step, double mirrored) {
     X_[count_] = X, Y_[count_] = Y, step_[count_] = step, mirrored_[count_] = mirrored;
     if (++count_ == ROOM) add_waiting();
@@ -148,7 +148,7 @@ class Sum {
   static constexpr int ROOM = 64;
 
   void add_waiting() {
-    // What fills up the last pack is not added.
+    // The padding of the last pack is not added.
     for (int k = count_; k % WIDTH; ++k) X_[k] = 0.0, Y_[k] = 1.0, step_[k] = mirrored_[k] = 0.0;
     const Pack z = Pack{} + z_;
     double done[6][ROOM];

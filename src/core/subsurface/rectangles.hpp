@@ -17,9 +17,9 @@ struct Panels {
   Numbers x_edges, y_edges;    ///< of the cells of the smallest block that contains all pressure [mm]
   Matrix pressure;             ///< in that block [MPa], (columns, rows)
   std::vector<Range> columns;  ///< of each panel
-  std::vector<Range> rows;     ///< of each panel: those that are loaded
+  std::vector<Range> rows;     ///< of each panel: the loaded ones
   Numbers middle, half;        ///< of the panels [mm]
-  std::vector<Index> starts;   ///< where the nodes of each rule begin, and where the last one's end
+  std::vector<Index> starts;   ///< offsets of the nodes of each rule, and their total number
   Matrix nodes;                ///< positions of the nodes of all rules [mm], (panels, nodes)
   Matrix weights;              ///< load on each node per unit length along y [N/mm], (panels * rows, nodes)
   Matrix ellipses;  ///< squared half-axes of the ellipse outside which a rule suffices, in half-lengths, (rules, 2)

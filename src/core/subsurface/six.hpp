@@ -11,12 +11,12 @@ namespace nonhertz {
 
 inline constexpr double TWO_PI = 2.0 * std::numbers::pi;
 
-/// sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy; or a displacement in the places of the stresses that have its
-/// symmetry: u_x, 0, u_z, u_y, 0, 0.
+/// sigma_x, sigma_y, sigma_z, tau_yz, tau_xz, tau_xy; or a displacement in the places of stresses of the same symmetry:
+/// u_x, 0, u_z, u_y, 0, 0.
 template <class Real>
 using Six = std::array<Real, 6>;
 
-/// Add the first `count` numbers of each component in turn, as if none had waited for a pack.
+/// Add the first `count` numbers of each component in turn, in the same order as without packs.
 template <int ROOM>
 void add_in_turn(const double (&waiting)[6][ROOM], int count, Six<double>& total) {
   Six<double> sum = total;

@@ -9,14 +9,14 @@ namespace nonhertz {
 namespace {
 
 constexpr double ERROR = 1e-8;  // of the contribution of a strip
-// Beyond these distances, in half-widths and in its own lengths, a strip is not divided into pieces.
+// Beyond these distances, in half-widths and in its own length, a strip is not divided into pieces.
 constexpr double FAR = 16.0, FAR_IN_LENGTHS = 6.0;
 // Beyond this distance, in half-widths, nodes replace the closed form of the infinite strip, which begins to cancel.
 constexpr double CLOSED_FORM = 8.0;
 
 using Complex = std::complex<double>;
 
-// Complex arithmetic as in textbooks: the library's own looks for infinities first, or depends on flags.
+// Complex arithmetic as in textbooks: the library's own checks for infinities first, or depends on flags.
 Complex product(Complex a, Complex b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -61,7 +61,7 @@ Real to_edges(Real x, Real distance, Real a) {
   return root_of((across - 1.0) * (across - 1.0) + square) + root_of((across + 1.0) * (across + 1.0) + square);
 }
 
-/// The first rule that suffices there.
+/// The first rule that suffices at a distance.
 Index sufficient(double to_edges, const Numbers& enough) {
   Index rule = 0;
   while (rule < count_of(enough) - 1 && to_edges < enough[rule]) ++rule;
@@ -74,8 +74,8 @@ struct Signs {
   bool operator==(const Signs&) const = default;
 };
 
-/// The same, and the fraction of the infinite strip that counts: all of it under the segment, and half exactly at one
-/// of its ends, where the tail that begins at the point is half the infinite strip except for the odd components.
+/// The same, and the fraction of the infinite strip that counts: 1 under the segment, and 1/2 exactly at one of its
+/// ends, where the tail that begins at the point is half the infinite strip except for the odd components.
 struct Sides {
   Signs signs;
   double whole;
@@ -89,7 +89,7 @@ const Sides& sides(double low, double high) {
   return low > 0.0 ? AHEAD : high < 0.0 ? BEHIND : low == 0.0 ? FROM_HERE : high == 0.0 ? UP_TO_HERE : OVER;
 }
 
-/// What represents strip j: the strip itself from afar, else its pieces.
+/// The indices that represent strip j: a distant strip itself, pieces of a near one.
 std::pair<Index, Index> counted(Index j, double y, const Lamination& strips) {
   const double low = strips.low[j], high = strips.high[j], apart = std::max(low - y, y - high);
   if (apart > FAR * strips.half_width[j] && apart > FAR_IN_LENGTHS * (high - low)) return {j, j + 1};
@@ -128,7 +128,7 @@ struct Stress {
 
 struct Displacement {
   static constexpr double SCALE = 0.5 / TWO_PI;
-  // Its singularity is only logarithmic: higher-order rules reach so much closer.
+  // Its singularity is only logarithmic, so that higher-order rules can be used that much closer.
   static constexpr double NEAREST = 0.0025;
 
   static Six<Pack> tail(Pack X, Pack Y, Pack z, double poisson) { return displacement_tail(X, Y, z, poisson); }
@@ -141,13 +141,13 @@ struct Displacement {
   }
 };
 
-/// Adds up what pairs of tails do at a point, in the order in which they come; many at a time, for packs of them.
+/// Adds up the effect of pairs of tails at a point in their order; many at a time, in packs.
 template <class Kind>
 class Sum {
  public:
   Sum(double z, double poisson) : z_(z), poisson_(poisson) {}
 
-  /// The signs of the tails that are added next. Pieces come in order, so that they change but a few times.
+  /// The signs of the tails that are added next. Pieces are in order, so that signs change only a few times.
   void turn_to(const Signs& signs) {
     if (signs == signs_) return;
     add_waiting();
@@ -157,7 +157,7 @@ class Sum {
     X_[count_] = X, weight_[count_] = weight, Y1_[count_] = Y1, Y2_[count_] = Y2;
     if (++count_ == ROOM) add_waiting();
   }
-  /// Add as many pieces as a pack has numbers, which have the same nodes and signs: one piece after the other.
+  /// Add as many pieces as a pack has numbers, with the same nodes and signs: one piece after the other.
   void add_pack(Pack x, Pack a, Pack load, Pack Y1, Pack Y2, View nodes, View weights) {
     add_waiting();
     const Pack z = Pack{} + z_;
@@ -184,7 +184,7 @@ class Sum {
   static constexpr int ROOM = 64;
 
  private:
-  /// What pairs of tails do.
+  /// The effect of pairs of tails.
   Six<Pack> pair(Pack X, Pack weight, Pack Y1, Pack Y2, Pack z) const {
     const Six<Pack> f = Kind::tail(X, Y1, z, poisson_), g = Kind::tail(X, Y2, z, poisson_);
     Six<Pack> both;
@@ -195,7 +195,7 @@ class Sum {
 
   void add_waiting() {
     if (count_ == 0) return;
-    // What fills up the last pack is not added.
+    // The padding of the last pack is not added.
     for (int k = count_; k % WIDTH; ++k) X_[k] = weight_[k] = 0.0, Y1_[k] = Y2_[k] = 1.0;
     const Pack z = Pack{} + z_;
     double done[6][ROOM];
@@ -214,7 +214,8 @@ class Sum {
   double X_[ROOM], weight_[ROOM], Y1_[ROOM], Y2_[ROOM];
 };
 
-/// Where both tails of each piece of a pack begin, and how far their loads are from the point (see `to_edges`).
+/// Positions where both tails of each piece of a pack begin, and distances of their loads from the point (see
+/// `to_edges`).
 struct Distances {
   Pack Y1, Y2, to_edges;
 };
@@ -231,7 +232,7 @@ Distances distances(double x, Pack low, Pack high, double z, Pack a, double near
   return {Y1, Y2, to_edges(Pack{} + x, root_of(z * z + apart * apart), a)};
 }
 
-/// The rule that suffices for all pieces of a pack, if it is the same for all, else -1.
+/// The rule that suffices for the pieces of a pack if it is the same for all, else -1.
 Index shared_rule(Pack to_edges, const Numbers& enough) {
   const Index rule = sufficient(to_edges[0], enough);
   for (int k = 1; k < WIDTH; ++k)

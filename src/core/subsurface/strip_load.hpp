@@ -9,11 +9,11 @@
 
 namespace nonhertz {
 
-/// The strips in contact, and after them all their pieces.
+/// The strips in contact, followed by all their pieces.
 struct Lamination {
   Numbers low, high;              ///< their ends [mm]
   Numbers line_load, half_width;  ///< q [N/mm], and the half-width b [mm] of the semi-ellipse of that load
-  std::vector<Index> first;       ///< where the pieces of each strip begin, and where the last one's end
+  std::vector<Index> first;       ///< index of the first piece of each strip, and the end
 };
 
 /// Gaussian rules for a semi-ellipse whose integral is 1 (Chebyshev, second kind).
@@ -21,7 +21,7 @@ struct SemiEllipseRules {
   static constexpr std::array<Index, 24> LADDER{2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,  32,
                                                 40, 48, 64, 80, 96, 128, 192, 256, 384, 512, 768, 1024};
   Numbers nodes, weights;     ///< of all rules, one after the other
-  std::vector<Index> starts;  ///< where each rule begins
+  std::vector<Index> starts;  ///< offset of each rule
   Numbers enough;  ///< the smallest sum of distances from both edges over the half-width at which each suffices
 };
 

@@ -21,7 +21,7 @@ template <class Real>
           X * (z * cube - lateral)};
 }
 
-/// 4 pi G times its displacement, u_y and u_z up to constants that two tails share.
+/// 4 pi G times its displacement, u_y and u_z up to constants common to two tails.
 template <class Real>
 Six<Real> displacement_tail(Real X, Real Y, Real z, double poisson) {
   const Real R = root_of(X * X + Y * Y + z * z);

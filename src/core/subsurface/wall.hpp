@@ -1,4 +1,4 @@
-// What the wall of a hollow roller adds to the field of a contact: the opposite contact, and the bending between them.
+// Contribution of a hollow roller to the field of a contact: the opposite contact, and the bending of the wall.
 #pragma once
 
 #include "numbers/array.hpp"
@@ -7,10 +7,10 @@ namespace nonhertz {
 
 /// A hollow roller under two contacts.
 struct Wall {
-  Index waves, through, along;  ///< how many modes, and polynomials through the wall and along the roller
+  Index waves, through, along;  ///< numbers of modes, and of polynomials through the wall and along the roller
   Numbers modes;  ///< Chebyshev coefficients of the polar stress of each mode [MPa], (waves, 6, through, along)
-  double top;     ///< where the polynomials through the wall end, as a share of it: above is the contact
-  Numbers places, forces;  ///< of the point loads that stand for the opposite contact [mm, N]
+  double top;     ///< end of the polynomials through the wall, as a fraction of it: the contact is above
+  Numbers places, forces;  ///< of the point loads that represent the opposite contact [mm, N]
 };
 
 /// Add the stress [MPa] of the opposite contact and of all modes, at points (x, y, z in a row) nearer to this contact.
