@@ -126,9 +126,9 @@ def _describe_end(error: BaseException) -> tuple[int, list[str]]:
         case CaseError():
             verdict = BAD_INPUT, [name_commands(str(error))]
         case InputError(field=field) if field in _OPTIONS:
-            verdict = BAD_INPUT, [str(error.about(_OPTIONS[field], error.value))]
+            verdict = BAD_INPUT, [name_commands(str(error.about(_OPTIONS[field], error.value)))]
         case InputError():
-            verdict = BAD_INPUT, [str(error)]
+            verdict = BAD_INPUT, [name_commands(str(error))]
         case Interrupted():
             verdict = INTERRUPTED, [str(error)]
         case KeyboardInterrupt():
