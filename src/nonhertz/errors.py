@@ -210,7 +210,10 @@ class Interrupted(KeyboardInterrupt):
 
 
 class AccuracyWarning(UserWarning):
-    """The solution has converged, but the model may be used beyond its validity."""
+    """The solution has converged, but the model may be used beyond its validity.
+
+    Its text is the first sentence of a finding; ``findings`` of the result has the whole text and the numbers.
+    """
 
 
 @contextlib.contextmanager

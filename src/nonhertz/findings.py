@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -51,6 +52,17 @@ class Finding:
     def __str__(self) -> str:
         return self.words.format(**dict(self.numbers))
 
+    @property
+    def headline(self) -> str:
+        """Its first sentence, which a warning says; the whole text has the details.
+
+        Examples
+        --------
+        >>> finding("wide", "It is {width:.1f} times as wide as long. Compare with the grid.", width=1.5).headline
+        'It is 1.5 times as wide as long.'
+        """
+        return re.split(r"(?<=[.!?]) (?=[A-Z(])", str(self), maxsplit=1)[0]
+
     def as_object(self) -> dict[str, Any]:
         """Return kind, sentence and numbers for programs: in mm, N, MPa and rad."""
         with display_units("si"):
@@ -95,6 +107,6 @@ def as_warnings(findings: Iterable[Finding], notes: Iterable[str] = ()) -> dict[
 
 
 def warn(findings: Iterable[Finding], stacklevel: int = 2) -> None:
-    """Issue each finding as an `AccuracyWarning`."""
+    """Issue the first sentence of each finding as an `AccuracyWarning`."""
     for entry in findings:
-        warnings.warn(str(entry), AccuracyWarning, stacklevel=stacklevel + 1)
+        warnings.warn(entry.headline, AccuracyWarning, stacklevel=stacklevel + 1)

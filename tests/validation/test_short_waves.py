@@ -55,11 +55,11 @@ def test_waves_that_matter_are_warned_of_alone_and_in_a_batch():
     contact = waved(1.6e-3, HALF_WIDTH)
     with pytest.warns(nh.AccuracyWarning) as said:
         solution = nh.solve(contact, load=10e3)
-    assert any("such short waves change the pressure across" in str(each.message) for each in said)
+    assert any("bodies depart by" in str(each.message) for each in said)
     assert unevenness(solution) > MOST_UNEVEN
     with pytest.warns(nh.AccuracyWarning, match="2 of 2 cases strain the model"):
         found = nh.solve_many(contact, load=[9e3, 10e3])
-    assert any("such short waves" in sentence for sentence in found.warnings[1])
+    assert any("Such short waves" in sentence for sentence in found.warnings[1])
 
 
 @pytest.mark.parametrize("half_widths", [4.0, 8.0])

@@ -230,7 +230,7 @@ def singularities(solution: PatchSolution) -> tuple[Finding, ...]:
     ends = tuple(
         finding(
             reached[end.kind][0],
-            f"The contact {reached[end.kind][1]} at y = {{y:.6g}}, where the pressure is singular: the value there is "
+            f"The contact {reached[end.kind][1]} at y = {{y:.6g}}, where the pressure is singular. The value there is "
             "that of a cell {length:.3g} long, not a limit, and the maximum pressure is "
             f"{beside if _too_long(solution, end) else taken}",
             y=mm(end.y),
@@ -253,7 +253,7 @@ def _edges_of_bodies(solution: PatchSolution) -> list[Finding]:
         finding(
             "edge-of-a-body",
             "The contact reaches the edge of a body at x = {x:.6g}, y = {y:.6g}, beyond which the gap is infinite and "
-            "where the pressure is singular: the values there are those of cells {cells:.3g} in size, not a limit.",
+            "where the pressure is singular. The values there are those of cells {cells:.3g} in size, not a limit.",
             x=mm(solution.x[i]),
             y=mm(solution.y[j]),
             cells=mm(solution.dx, solution.dy, between=" x "),

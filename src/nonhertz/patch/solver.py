@@ -106,7 +106,7 @@ def solve(
     Warns
     -----
     AccuracyWarning
-        If the result strains the model's validity; ``solution.findings`` has the same sentences.
+        If the result strains the model's validity; ``solution.findings`` has the details.
 
     Notes
     -----

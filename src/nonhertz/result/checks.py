@@ -138,7 +138,7 @@ def _even(values: core.Checks) -> ValidityCheck:
     problem = finding(
         "short-waves",
         "Within a half-width the bodies depart by {departure:.2g} from parabolas, {share:.2g} % of the interference "
-        "and over {limit:g} %: such short waves change the pressure across, which strips take as given, and the "
+        "and over {limit:g} %. Such short waves change the pressure across, which strips take as given, and the "
         "approach by up to {cost:.2g} %; compare with the plane grid.",
         departure=um(departure),
         share=share,
@@ -224,8 +224,8 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
         finding(
             "images-too-heavy",
             "The images about the side face at y = {y:.6g} would weigh {weight:.3g} of the surface, including a face "
-            "of the other body at the same place; above 1 refinement does not converge, so their weights were lowered "
-            "to a total of 1. Only this makes the pressure up to that end finite.",
+            "of the other body at the same place, so their weights were lowered to a total of 1. Above 1 refinement "
+            "does not converge; only the lower weights make the pressure up to that end finite.",
             y=mm(end.y),
             weight=end.requested,
         )

@@ -84,7 +84,7 @@ def _short_of_accuracy(solution: Solution, problem: Problem, errors: core.Errors
         yield finding(
             "short-of-accuracy",
             "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "
-            "on {strips} strips; what is left is at sharp ends, corners or in roughness that strips do not resolve.",
+            "on {strips} strips. The rest is at sharp ends, corners or in roughness that strips do not resolve.",
             asked=accuracy,
             quantity=name,
             error=error,
