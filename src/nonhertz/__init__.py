@@ -1,5 +1,10 @@
 """Elastic contact of rollers, raceways, gear teeth and wheels whose shape no Hertz formula fits.
 
+Two bodies (`Roller`, `Ring`, `Plate` or `Body`), each with a relief from `profile`, form a `Contact`; `solve` returns
+its `Solution`, `solve_many` many of them. `strength`, `subsurface` and `life` evaluate solutions; `bearing` solves
+whole roller bearings; `patch` solves any gap on a plane grid, and `hertz` has closed forms. `sweep`, `tolerance`,
+`optimize` and `pareto` vary inputs; `read_case`, `read_bearing` and `read_plan` read the files of the command line.
+
 Units are mm, N, MPa and rad throughout. Positive relief is material removed.
 
 Examples

@@ -68,7 +68,7 @@ void StripLaw::answer_side(std::size_t number, std::span<const Index> rollers, s
   for (std::size_t n = 0; n < rollers.size(); ++n) side.depths[rollers[n]] = depth[n];
   const int places = SAME - static_cast<int>(std::floor(std::log10(farthest)));
   const double least = UNRESOLVED * side.deepest();
-  // Of equal contacts the first is evaluated.
+  // Only the first of equal contacts is evaluated.
   std::map<std::pair<double, double>, std::size_t> first;
   std::vector<std::size_t> like(rollers.size());
   std::vector<Question> missing;

@@ -65,7 +65,7 @@ class Model {
 
   Numbers separation(View y) const;
   double separation(double y) const;
-  /// Of both bodies [1/mm].
+  /// Combined curvature of both bodies [1/mm].
   Numbers curvature(View y) const;
   /// The larger of both in magnitude [1/mm].
   Numbers sharper_curvature(View y) const;

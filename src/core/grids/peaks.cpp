@@ -11,7 +11,7 @@ namespace {
 // Largest factor by which strips may become narrower at once, fraction by which another pressure may be smaller and
 // still count as the largest, and number of strips about a kink that are left unchanged.
 constexpr double LEAST_AT_PEAK = 0.2, ALIKE = 0.01, AT_KINK = 3.0;
-// Of a strip's width: an edge this close to y = 0 lies there except for rounding, and its strip on one side only.
+// Fraction of a strip's width: an edge this close to y = 0 lies there except for rounding, and its strip on one side.
 constexpr double AT_ZERO = 1e-9;
 
 /// The strip with the largest pressure among those on one side of y = 0, zero if there is none.

@@ -15,8 +15,8 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity(), PI = std::n
 
 constexpr int FEW_AT_END = 4;       // fewer strips within a half-width of an end do not resolve how the contact ends
 constexpr double FALLS_AWAY = 0.1;  // of the interference: it is smaller at an end than inside by at least this
-// Of the target accuracy: a change of the largest pressure may be small by chance. And on a rounded corner, on any
-// grid: the position of strips on the step of its curvature changes the peak by that much.
+// Relative to the target accuracy: a change of the largest pressure may be small by chance. And on a rounded corner, on
+// any grid: the position of strips on the step of its curvature changes the peak by that much.
 constexpr double PRESSURE_LEFT = 1.0, LEFT_ON_CORNER = 6e-4;
 constexpr double COARSE = 2.0;  // times the usual estimate of the largest pressure, on coarser grids
 // Times the exponent: largest excess of the pressure a half-width from a sharp end over that of strips too wide to show

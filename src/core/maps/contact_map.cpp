@@ -12,7 +12,7 @@ constexpr double THIRD = 1.0 / 3.0;
 // Newton's method converges quadratically, and one linear step follows: a last step of 1e-5 leaves 1e-20.
 constexpr int STEPS = 60;
 constexpr double CLOSE = 1e-5;
-// Of the slope of the approach if it were quadratic in x: keeps the stiffness finite for any coefficients.
+// Relative to the slope of an approach quadratic in x: keeps the stiffness finite for any coefficients.
 constexpr double LEAST_SLOPE = 1e-3;
 
 double cube(double value) { return value * (value * value); }

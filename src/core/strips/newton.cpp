@@ -18,7 +18,8 @@ constexpr double LEAST_CHANGE = 0.3;  // smallest factor by which r may change i
 constexpr double WIDEST = 1e4;        // half-width over half the length, beyond which the iteration has diverged
 // A strip enters only if its overlap exceeds this fraction of the residual; otherwise the active set oscillates.
 constexpr double LET_SETTLE = 0.1;
-// Of a step, while a strip that has left and re-entered is far from settled: full steps would drive it out again.
+// Fraction of a step while a strip that has left and re-entered is far from settled: full steps would drive it out
+// again.
 constexpr double AFTER_RETURN = 0.5;
 
 double imbalance(const Prescription& given, const Pair& off, double load) {

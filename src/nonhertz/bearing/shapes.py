@@ -33,7 +33,7 @@ MOST_ORDER = 10_000
 MOST_POINTS = 100_000
 _TURN = 2.0 * math.pi
 _CLOSED = 1e-9  # of a turn, within which two angles are the same
-# Of a turn, and of the smallest step: permitted error of a rounded last angle that closes the ring, such as 6.2832 rad.
+# Permitted error of a rounded last angle that closes the ring, such as 6.2832 rad: over a turn, over the smallest step.
 _ROUNDED, _OF_STEP = 1e-4, 0.1
 _ANGLES = "give a row of angles in rad, within one turn"
 _DEVIATIONS = "give as many lengths in mm as angles"

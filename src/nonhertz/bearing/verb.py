@@ -40,9 +40,9 @@ Method = Literal["strips", "slices"]
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
 # What slices leave of the balance, over the loads, where there is none. They leave 1e-9 where there is one.
 UNBALANCED = 1e-6
-# Of the preload of two rows: how near their clearance brings it, and in how many steps at most.
+# Relative error of the preload of two rows by their clearance, and the largest number of steps.
 _PRELOAD_WITHIN, _MOST_ADJUSTMENTS = 1e-5, 12
-# Of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
+# Speed of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
 _MOST_RIM_SPEED = 1e6
 
 

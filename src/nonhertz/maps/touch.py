@@ -13,7 +13,7 @@ from nonhertz.result.penetration import deepest
 Array = NDArray[np.float64]
 
 _SAMPLES = 4001
-# Of the whole travel of the touch: more within a small tilt means that a straight length tips over between its ends.
+# Over the whole travel of the touch: more within a small tilt means that a straight length tips over between its ends.
 _TIPPING = 0.2
 _FINE_TILTS = 2001
 

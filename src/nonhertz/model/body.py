@@ -52,8 +52,8 @@ BODIES: Final[tuple[BodyName, BodyName]] = ("a", "b")
 
 _TOUCHING_REMEDY = "give the length that can touch in mm, or leave it out for the whole body"
 _DEPTH_MEANING = (
-    "reference point of the elastic displacement; left out, a roller with free side faces is 'finite', any "
-    f"other 'plane-strain', and the rest is 'none'; as a number {THICKNESS}"
+    "reference point of the elastic displacement; by default 'finite' for a roller with free side faces, "
+    f"'plane-strain' for other rollers and 'none' for other bodies; as a number, {THICKNESS}"
 )
 _LENGTH_REMEDY = "give the distance between the side faces in mm, or leave it out for an unbounded body"
 _FACELESS_REMEDY = "give the distance between the side faces in mm, or leave out side_faces"
@@ -111,7 +111,7 @@ class Body(Input):
     ] = None
     profile: Annotated[
         Profile,
-        Part("relief along the axis: a list of profiles, which add", Profile, "make one with nonhertz.profile"),
+        Part("relief along the axis; profiles in a list add up", Profile, "make one with nonhertz.profile"),
     ] = field(default_factory=Straight)
     effective_length: Annotated[
         float | None,
@@ -155,7 +155,7 @@ class Body(Input):
     images: Annotated[
         int | Literal["series"],
         Count(
-            "mirror images per side face",
+            "number of mirror images per side face",
             FEWEST_IMAGES,
             MOST_IMAGES,
             IMAGES_REMEDY,

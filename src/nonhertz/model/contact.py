@@ -29,6 +29,8 @@ _MADE_BY = "make one with Roller, Ring, Plate or Body"
 class Contact(Input):
     """Two bodies that are about to touch along the y axis.
 
+    y runs along the contact, x across it, in the direction of rolling. Positions of both bodies have the same origin.
+
     Raises
     ------
     InputError

@@ -51,8 +51,7 @@ def solve(
 ) -> Solution:
     """Solve the elastic contact of two bodies under a load or approach, and a tilt or moment.
 
-    Quantities may be text with a unit, such as ``"20 kN"``. Bodies are linear elastic and the contact is free of
-    friction; its width must be small compared with the bodies, which the solution's findings check.
+    Quantities may be text with a unit, such as ``"20 kN"``.
 
     Parameters
     ----------
@@ -83,6 +82,7 @@ def solve(
     Returns
     -------
     Solution
+        Approach, load, tilt and moment, pressures and half-widths along y, stiffness and estimated errors.
 
     Raises
     ------
@@ -95,7 +95,20 @@ def solve(
     -----
     AccuracyWarning
         If the result strains the model's validity, the requested accuracy was not met, or the pressure is singular at
-        an end of the contact; ``solution.findings`` has the same sentences.
+        an end of the contact; ``solution.findings`` has the details.
+
+    Notes
+    -----
+    The contact is cut along y into strips, each with a pressure of fixed shape across x; both surfaces touch to second
+    order on the centre line of every loaded strip. Bodies are linear elastic, without friction; the contact must be
+    longer than wide and small compared with the radii. Findings report a case beyond these limits: see
+    docs/explain/validity.md.
+
+    References
+    ----------
+    J. M. de Mul, J. J. Kalker, G. M. Vree, An orthogonal uniform/parabolic surface pressure half-space element for the
+    analysis of non-Hertzian contact, Computational Mechanics, CIMNE, Barcelona 1998. H. Reusner, the semi-elliptic
+    element; see `nonhertz.strip.element.Element`.
 
     Examples
     --------

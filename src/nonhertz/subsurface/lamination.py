@@ -46,7 +46,7 @@ HIGHEST, LOWEST_RATIO = 2.0, 0.5  # of the last value: limits for extrapolating 
 LEAST_SQUARE = 1e-4  # of the m of a strip: a narrower piece carries a negligible load
 BEYOND = 5  # pieces between the last strip and where the contact runs out
 LOAD_SHARE = 2e-4  # of the load
-# Of the load times half the length of the contact: the moment that slopes may add, and the total error allowed.
+# Over the load times half the length of the contact: the moment that slopes may add, and the total error allowed.
 MOMENT_SHARE, MOMENT_TOLERANCE = 2.5e-4, 1e-3
 ROUNDING = 1e-9
 
