@@ -14,7 +14,7 @@ from nonhertz.amounts import Amount, EndStrength, display_units
 from nonhertz.errors import AccuracyWarning
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Finding:
     """One finding about a result: a warning, a remark, a verdict.
 
@@ -33,8 +33,8 @@ class Finding:
     --------
     >>> from nonhertz.amounts import display_units, mm
     >>> found = finding("cut-off", "The strips end at y = {y:.6g}.", y=mm(9.5))
-    >>> str(found), found.kind
-    ('The strips end at y = 9.5 mm.', 'cut-off')
+    >>> found
+    Finding(kind='cut-off', sentence='The strips end at y = 9.5 mm.')
     >>> with display_units("us"):
     ...     str(found)
     'The strips end at y = 0.374 in.'
@@ -48,6 +48,9 @@ class Finding:
     def from_text(cls, sentence: str, kind: str = "") -> Finding:
         """Return a finding that consists of a sentence only."""
         return cls(kind, "{sentence}", (("sentence", sentence),))
+
+    def __repr__(self) -> str:
+        return f"Finding(kind={self.kind!r}, sentence={str(self)!r})"
 
     def __str__(self) -> str:
         return self.words.format(**dict(self.numbers))
