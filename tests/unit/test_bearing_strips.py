@@ -177,7 +177,7 @@ def test_few_loops_are_kept():
 def test_a_contact_without_a_solution_is_named():
     with pytest.raises(core.Unsolved) as raised:
         asked(law_of(INNER), 30.0, 0.0)
-    said = "The contact of a roller at an approach of 30000 µm and a tilt of 0 mrad has no solution: "
+    said = "The contact of a roller pressed 30000 µm into its raceway at a tilt of 0 mrad has no solution: "
     assert str(no_solution_error(raised.value)).startswith(said)
 
 

@@ -94,7 +94,7 @@ def test_a_crown_is_found_from_its_drop(radius, at, centre):
     ("arguments", "parameters", "sentence"),
     [
         (("crown", 30.0, AT), {}, "drop = 30.0 must lie between about -6.88 and 6.88 mm, the drops that any radius"),
-        (("crown", 0.0, AT), {}, "drop = 0.0 must not be zero, which no radius of 'crown' makes: leave the profile"),
+        (("crown", 0.0, AT), {}, "drop = 0.0 must not be zero, which no radius of 'crown' gives: leave the profile"),
         (("crown", 0.02, AT), {"radius": 3e3}, "drop = 0.02 must not be given together with radius: leave one out."),
         (("crown", 0.02, 0.0), {}, "at = 0.0 must not be the middle of the body: give the position in mm"),
         (("crown", 0.02, 1e50), {}, "at = 1e+50 must be where some radius of 'crown' has a finite relief: "),
