@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 __all__ = ["CRITERIA", "Check", "CheckStatus", "Strength", "assess", "judge", "onset_of_yield"]
 __dir__ = dir_of(__name__)
 
-#: Criteria of yielding: what the equivalent stress of each is called.
+#: Criteria of yielding, with the names of their equivalent stresses.
 CRITERIA: Final = {"von-mises": "von Mises stress", "tresca": "Tresca stress (twice the maximum shear stress)"}
 
 EQUAL = 1e-6  # relative: half-widths that differ by less count as equal

@@ -115,7 +115,7 @@ class ContactMap {
   const double *x_borders_, *z_borders_, *mean_approach_, *others_;
 };
 
-/// Fill in the load on the strips between stations from places up to which sin^2(k pi / 48) of it are borne.
+/// Fill in the load on the strips between stations from positions up to which sin^2(k pi / 48) of it is carried.
 void share_out(std::array<double, ContactMap::QUANTILES> places, double load, View stations, Row strip_loads);
 
 }  // namespace nonhertz

@@ -30,7 +30,7 @@ Result judged(const Model& model, const Prescription& given, Levels levels);
 /// The same for solutions that have to be checked, on grids with the matrix of reference points.
 Result checked(const Model& model, const Prescription& given, Levels levels);
 
-/// Solve a case; throws Refused where no strips can meet what is prescribed, and Stopped.
+/// Solve a case; throws Refused if no strips can meet the prescribed values, and Stopped.
 Result solve(const Model& model, const Prescription& given, const Strips& strips, const Stop* stop = nullptr);
 
 /// A result, or the reason why there is none: Refused, or the exception of a profile.

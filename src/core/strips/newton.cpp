@@ -220,7 +220,7 @@ void Newton::find_directions() {
     }
   }
   step_.subtract_product(loaded_, curved_);
-  // Clear what the product left in the padding, so that it stays decoupled.
+  // Clear the padding after the product, so that it stays decoupled.
   for (Index i = 0; i < at; ++i)
     for (Index j = k; j < at; ++j) step_(i, j) = i == j ? 1.0 : 0.0;
   changes_.assign(k, 0.0);
@@ -278,7 +278,7 @@ Pair Newton::rigid_step(const Prescription& given) const {
   return {(first * d - second * b) / determinant, (second * a - first * c) / determinant};
 }
 
-/// Add up load and moment, with what the step would add.
+/// Add up load and moment, including the step.
 void Newton::sum_up() {
   resultant_ = {response_[0][0], response_[1][0]};
   for (std::size_t k = 0; k < active_.size(); ++k) {

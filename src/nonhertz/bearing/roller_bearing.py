@@ -115,7 +115,9 @@ class RollerBearing(Input):
     ] = None
     outer_shape: Annotated[
         Shape | None,
-        Quantity("mm", "the same of the outer raceway", function_of_angle, "give one, or leave it out"),
+        Quantity(
+            "mm", "out-of-roundness of the outer raceway, likewise", function_of_angle, "give one, or leave it out"
+        ),
     ] = None
     density: Annotated[
         float | None,

@@ -80,7 +80,7 @@ class Body(Input):
     """
 
     meaning_of_kind: ClassVar[str] = (
-        "'roller', 'ring' or 'plate': what the diameter must be, and the default of the depth; 'body' for any; left "
+        "'roller', 'ring' or 'plate': the sign of the diameter, and the default of the depth; 'body' for any; left "
         "out, a body with a positive diameter and a length is a roller"
     )
     apart: ClassVar[tuple[tuple[str, ...], ...]] = (("corner_radius", "chamfer", "effective_length"),)

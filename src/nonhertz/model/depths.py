@@ -87,7 +87,7 @@ DEPTHS: Final = {
         Depth(
             "cylinder",
             "on the axis of a cylinder of infinite length that deforms as a whole",
-            "its axis, and it deforms as a solid cylinder of infinite length, pressed alike on the opposite side",
+            "its axis, and it deforms as a solid cylinder of infinite length, equally loaded on the opposite side",
             of_diameter=True,
             refuse=_refuse_free_faces,
             source="Y. P. Chiu and M. J. Hartnett, A numerical solution for the contact problem involving bodies with "
@@ -97,7 +97,7 @@ DEPTHS: Final = {
         Depth(
             "finite",
             "on the axis of a roller that deforms as a whole, which needs side_faces = 'free' and a length",
-            "its axis, and it deforms as a whole, pressed alike on the opposite side",
+            "its axis, and it deforms as a whole, equally loaded on the opposite side",
             of_diameter=True,
             whole=True,
             refuse=refuse_unless_whole,

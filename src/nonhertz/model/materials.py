@@ -62,7 +62,7 @@ _CASE = "the yield strength of the case depends on its heat treatment: give your
 _THROUGH = "the yield strength depends on the heat treatment: give your own"
 _UNSTATED = "the standard states no yield strength: give that of your rail"
 _FLAKES = (
-    "flake graphite: neither linear nor alike in tension and compression; the yield strength is that of 0.1 % proof"
+    "flake graphite: neither linear nor equal in tension and compression; the yield strength is that of 0.1 % proof"
 )
 _DUCTILE = "EN 1563, separately cast samples: least 0.2 % proof strength; E and nu: its informative annex"
 _VISCOELASTIC = (
@@ -152,7 +152,7 @@ LIBRARY: tuple[Entry, ...] = (
     Entry(
         "zirconia", "ceramics", Material(modulus=210000.0, poisson=0.3, hardness="1200 HV"),
         "E and hardness of Y-TZP: C. Piconi, G. Maccauro, Zirconia as a ceramic biomaterial, Biomaterials 20 (1999) 1; "
-        "nu: makers' data sheets",
+        "nu: manufacturers' data sheets",
         "brittle: it cracks instead of yielding", density=6.05e-9, expansion=None,
     ),
     Entry(

@@ -1,1 +1,1 @@
-"""The entry points: a contact and what is prescribed in, a solution out; or thousands of them in one call."""
+"""The entry points: a contact and its loading in, a solution out; or thousands of them in one call."""
