@@ -210,7 +210,7 @@ def test_axial_loads_on_ribs_are_in_no_life(radial, basic):
     assert life.basic_life == pytest.approx(basic, rel=1e-3, nan_ok=True)
     (found,) = life.findings
     assert found.kind == "load-on-ribs"
-    assert str(found).startswith("Ribs bear the axial load of 2.000 kN, which no life here counts")
+    assert str(found).startswith("Ribs support the axial load of 2.000 kN, which no life here includes")
     assert [each.kind for each in B.assess([(B.solve(row(), radial=4e3, method="slices"), 1.0)]).findings] == []
 
 

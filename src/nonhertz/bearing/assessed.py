@@ -171,7 +171,7 @@ class BearingLife(HasFindings, HasHtml):
         """
         notes = []
         if self.axial_on_ribs:
-            words = "Ribs bear the axial load of {load:4}, which no life here counts."
+            words = "Ribs support the axial load of {load:4}, which no life here includes."
             notes.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(life.equivalent_load for life in lives)

@@ -1,4 +1,4 @@
-"""The verb: a bearing and what acts on it in, loads and motions out."""
+"""The entry point: a bearing and its loading in, loads and motions out."""
 
 from __future__ import annotations
 
