@@ -193,7 +193,7 @@ NamedMaterial = Annotated[
     Part(
         "name of a material, or a table of modulus, poisson and strengths",
         Material,
-        f"give modulus and poisson, or a name such as 'steel': {_LISTED}",
+        "give modulus and poisson, or a name such as 'steel' or '100Cr6'",
         MATERIALS,
     ),
 ]
