@@ -53,7 +53,7 @@ def numbers() -> dict[str, str]:
     results = json.loads((BENCHMARKS / "results.json").read_text(encoding="utf-8"))
     times = [1e3 * case["time"] for case in results["automatic"].values()]
     race = (BENCHMARKS / "race.md").read_text(encoding="utf-8")
-    least, most = found(race, r"Against the best peer the ratio lies between (\S+) and (\S+)\.")
+    least, most = found(race, r"The ratio to the best peer is (\S+) to (\S+);")
     machine = results["machine"]
     assert machine["processor"] == json.loads((BENCHMARKS / "race.json").read_text("utf-8"))["machine"]["processor"]
     figure = json.loads((PAPER / "figure.json").read_text(encoding="utf-8"))
