@@ -69,6 +69,18 @@ def test_any_document_has_a_state(document):
     json.dumps(form_state(document, "bearing"), allow_nan=False)
 
 
+@pytest.mark.parametrize("file", FILES)
+def test_what_is_warned_of_stands_in_the_answer_alone(file):
+    """The form, which is asked of the same document, warns of nothing: the terminal of the server stays empty."""
+    document = copy.deepcopy(FILES[file])
+    body = document["body"]["a"] if file == "case" else document["inner"]
+    body["material"] = {"modulus": 207.0, "poisson": 0.3}
+    document["load"]["load" if file == "case" else "radial"] = 10.0
+    answer = jobs.solve(document, False, "a") if file == "case" else jobs.load(document, "slices")
+    assert json.loads(answer)["warnings"][0].startswith("A modulus of 207 MPa with a Poisson's ratio of 0.3")
+    form_state(document, file)
+
+
 def test_sizes_of_units_are_those_of_files():
     for base, words in CHOICES.items():
         for word, factor in words.items():

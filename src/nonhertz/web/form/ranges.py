@@ -8,6 +8,7 @@ the value of the quantity itself, so that they do not move while it is dragged.
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
@@ -15,7 +16,7 @@ from typing import Any, Final, Literal
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.prescribed import BearingLoad, one_state
-from nonhertz.errors import InputError
+from nonhertz.errors import AccuracyWarning, InputError
 from nonhertz.files.bearing_document import BearingFile, read_document
 from nonhertz.files.keys import Table, table_of
 from nonhertz.files.profiles import profile_tables
@@ -144,12 +145,14 @@ def form_state(document: dict[str, Any], file: Literal["case", "bearing"]) -> di
     names = ("a", "b") if file == "case" else OF_BEARINGS[1:]
     within = document.get("body") if file == "case" else document
     tables = table_of(Bodies if file == "case" else BearingFile).keys
-    bodies = {
-        f"body.{name}" if file == "case" else name: _body_state(within[name], tables[name].tables[0])
-        for name in names
-        if isinstance(within, dict) and isinstance(within.get(name), dict)
-    }
-    return {"ranges": _as_json(ranges_of(document, file)), "bodies": bodies}
+    with warnings.catch_warnings():  # the answer to the document has them
+        warnings.simplefilter("ignore", AccuracyWarning)
+        bodies = {
+            f"body.{name}" if file == "case" else name: _body_state(within[name], tables[name].tables[0])
+            for name in names
+            if isinstance(within, dict) and isinstance(within.get(name), dict)
+        }
+        return {"ranges": _as_json(ranges_of(document, file)), "bodies": bodies}
 
 
 def _as_json(ranges: Mapping[str, Range | None]) -> dict[str, Any]:

@@ -44,7 +44,7 @@ def answer(case: Case, solution: Solution, complaint: str) -> dict[str, Any]:
         # If the pressure leaves the verdict open, the search when the slider rests decides it: that takes seconds.
         "verdict": verdict_seen(None if complaint else judge_contact(solution, search=False)),
         "summary": summary_rows(solution, case),
-        "warnings": solution.warnings,
+        "warnings": [*dict.fromkeys((*case.notes, *solution.warnings))],
         "figures": {
             "pressure": contact.pressure(solution).to_json(),
             "footprint": contact.footprint(solution).to_json(),

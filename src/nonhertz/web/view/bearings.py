@@ -74,7 +74,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "tolerances": tolerances and {"columns": tolerances.heads, "rows": tolerances.rows},
         "columns": rollers.heads,
         "rollers": rollers.rows,
-        "warnings": sentences(collect_findings(solution, life, case.operating_clearance)),
+        "warnings": [*case.notes, *sentences(collect_findings(solution, life, case.operating_clearance))],
     } | roller_answer(case, solution, roller)
 
 
