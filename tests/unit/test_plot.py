@@ -92,7 +92,9 @@ class TestPressure:
         assert left.get_xlim()[0] < solution.contact_y[0][0] < solution.contact_y[-1][1] < left.get_xlim()[1]
 
     @pytest.mark.slow
-    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, ax):
+    @pytest.mark.parametrize("width", [3.2, 6.4], ids=["narrow", "wide"])
+    def test_a_pressure_that_rises_again_at_a_land_end_says_so(self, width):
+        ax = Figure(figsize=(width, 4.8)).add_subplot()
         cornered = roller(profile=nh.profile.crown(1500.0), corner_radius=0.8)
         with without_accuracy_warnings():
             solution = nh.solve(nh.Contact(cornered, nh.Plate()), load=20e3)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from nonhertz.figures.value import (
     Mark,
     Panel,
     Points,
+    Side,
     Span,
     Steps,
     Words,
@@ -51,8 +52,6 @@ ROUNDING = 1e-9
 """Relative, by which a pressure may exceed the last colour."""
 DIMENSION = 0.92
 """Of the height of the axes, where the length in contact is drawn."""
-LAND_END = 0.18
-"""Of the range along, that words on the end of a land take."""
 SINGULAR = 0.72
 """Of the height of the axes, where words on a pressure without limit stand."""
 
@@ -238,18 +237,12 @@ def _largest(solution: Solution) -> Iterator[Mark]:
         yield from land_ends(solution)
 
 
-def land_ends(solution: Solution, colour: Colour = "ink", among: Iterable[Solution] = ()) -> Iterator[Mark]:
-    """Yield words where the pressure rises again towards the end of a land, above the lines that they would cross."""
-    low, high = axial_range(solution)
-    width = LAND_END * (high - low)
+def land_ends(solution: Solution, colour: Colour = "ink") -> Iterator[Mark]:
+    """Yield words where the pressure rises again towards the end of a land."""
+    middle = 0.5 * sum(axial_range(solution))
     for y, value in land_end_peaks(solution):
-        rightwards = y < 0.5 * (low + high)
-        middle = y + 0.5 * (width if rightwards else -width)
-        above = value
-        for other in (solution, *among):
-            crossed = other.centre_pressure[np.abs(other.y - middle) <= 0.5 * width]
-            above = max(above, float(np.minimum(crossed, other.max_pressure).max(initial=0.0)))
-        yield Words(y, above, f"land end, {mpa(value):.4g}", "left" if rightwards else "right", colour=colour)
+        side: Side = "left" if y < middle else "right"
+        yield Words(y, value, f"land end, {mpa(value):.4g}", side, clear=True, colour=colour)
 
 
 def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour] = ()) -> Iterator[Mark]:

@@ -48,7 +48,7 @@ def _pressures(solutions: Mapping[str, Solution]) -> Panel:
     top = (BEYOND if cut else ROOM) * max(solution.max_pressure for solution in solutions.values()) or 1.0
     for solution, look in zip(solutions.values(), looks, strict=True):
         lines = contact_lines(solution)
-        marks += [Line(lines.y, lines.pressure, **look), *land_ends(solution, look["colour"], solutions.values())]
+        marks += [Line(lines.y, lines.pressure, **look), *land_ends(solution, look["colour"])]
     marks += no_limits([*solutions.values()], NO_LIMIT * top, [look["colour"] for look in looks])
     largest = " and ".join(f"{name} {mpa(solution.max_pressure):.4g}" for name, solution in solutions.items())
     words = f"Pressures on the centre line: at most {largest}."

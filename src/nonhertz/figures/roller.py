@@ -119,7 +119,7 @@ def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
         words.append(f"at most {largest} at the {ring} ring")
     # Words at both contacts would cross.
     for contact in sorted(contacts.values(), key=lambda contact: contact.max_pressure)[-1:]:
-        marks += land_ends(contact, among=contacts.values())
+        marks += land_ends(contact)
     return Panel(
         "pressure",
         "Pressure on the centre line",

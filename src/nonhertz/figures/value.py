@@ -234,12 +234,16 @@ class Arrow(Mark):
 
 @dataclass(frozen=True, eq=False)
 class Words(Mark):
-    """Words above a point; they begin there if their side is ``"left"``, and end there if it is ``"right"``."""
+    """Words above a point; they begin there if their side is ``"left"``, and end there if it is ``"right"``.
+
+    Clear ones stand above all lines of the panel that they would cross.
+    """
 
     x: float
     y: float
     words: str
     side: Side = "center"
+    clear: bool = field(default=False, kw_only=True)
     colour: Colour = field(default="ink", kw_only=True)
 
 

@@ -35,11 +35,17 @@ def written(value: Amount, digits: int = 4) -> str:
     return f"{value:.{digits}g}".replace("-", "−")
 
 
+def width_of(ax: Axes, words: str) -> float:
+    """Return the width of small words as a share of that of the axes.
+
+    Measuring a text needs a renderer, which axes lack before they are drawn; an average letter width will do.
+    """
+    return len(words) * LETTER * ax.figure.dpi / ax.bbox.width
+
+
 def alignment(ax: Axes, y: float, span: tuple[float, float], words: str) -> Alignment:
     """Return how to align small ``words`` at ``y`` so that they stay inside the axes."""
-    # Measuring a text needs a renderer, which axes lack before they are drawn; an average letter width will do.
-    width = ax.bbox.width / ax.figure.dpi
-    half = 0.5 * len(words) * LETTER / width
+    half = 0.5 * width_of(ax, words)
     share = (y - span[0]) / (span[1] - span[0])
     if share < half:
         return "left"

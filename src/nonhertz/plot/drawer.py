@@ -262,7 +262,7 @@ def draw_panel(
 ) -> None:
     """Draw a panel of a figure on axes, with at most so many ticks; ``stretch`` is that of a proportional panel."""
     along, upright = panel.along or figure.along, panel.upright
-    pen = Pen(ax, along.scale[0], upright.scale[0], along.range, panel.colours, panel.sideways)
+    pen = Pen(ax, along.scale[0], upright.scale[0], along.range, panel)
     for mark in panel.marks:
         draw_mark(mark, pen)
     across, up = (upright, along) if panel.sideways else (along, upright)

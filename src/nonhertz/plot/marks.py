@@ -23,6 +23,7 @@ from nonhertz.figures.value import (
     Level,
     Line,
     Mark,
+    Panel,
     Points,
     Range,
     Side,
@@ -33,7 +34,7 @@ from nonhertz.figures.value import (
 )
 from nonhertz.plot import style
 from nonhertz.plot.axes import Array, Axes, note
-from nonhertz.plot.axial import alignment
+from nonhertz.plot.axial import alignment, width_of
 from nonhertz.plot.contours import draw_contours
 from nonhertz.plot.style import COLOURS
 
@@ -54,6 +55,8 @@ SYMBOLS: Final = {
 FEW, MANY = 20, 0.75  # points, of which more are smaller, and by how much
 ACROSS: Final = 65  # points across an area: equally spaced in the angle whose sine is the share of the way to its edge
 ARROW: Final[dict[str, Any]] = {"arrowstyle": "<->,head_length=0.25,head_width=0.12", "shrinkA": 0.0, "shrinkB": 0.0}
+WIDER: Final = 1.2  # than small letters are capitals and digits, and a gap beside them
+HIGHEST: Final = 0.9  # of the axes, at which words above lines still fit
 OVER_LINES: Final[dict[str, Any]] = {"va": "bottom", "color": style.INK, "bbox": style.BACKING}
 """Of words above a point, on a background that hides thin lines."""
 
@@ -72,14 +75,13 @@ def typeset(words: str) -> str:
 
 @dataclass(frozen=True)
 class Pen:
-    """Axes, and what turns numbers of a figure into those that are drawn."""
+    """Axes, what turns numbers of a figure into those that are drawn, and the panel."""
 
     ax: Axes
     across: float
     up: float
     span: Range | None
-    colours: Axis | None
-    sideways: bool = False
+    panel: Panel
     contours: list[tuple[Contours, ContourSet]] = field(default_factory=list)
 
     def along(self, values: ArrayLike) -> Array:
@@ -135,13 +137,13 @@ def _(mark: Band, pen: Pen) -> None:
 
 @draw_mark.register
 def _(mark: Area, pen: Pen) -> None:
-    assert pen.colours is not None
+    assert pen.panel.colours is not None
     angle = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ACROSS)[:, None]
     # At the sine of an angle the root of 1 - s^2 is its cosine; a semi-ellipse falls vertically at its edge.
-    values = pen.colours.scale[0] * np.cos(angle) ** (2.0 * mark.power) * mark.values
+    values = pen.panel.colours.scale[0] * np.cos(angle) ** (2.0 * mark.power) * mark.values
     x, y = np.broadcast_to(pen.along(mark.x), values.shape), pen.upright(np.sin(angle) * mark.half_height)
     # Thousands of small polygons in an SVG file would show seams, so that the values are rasterised.
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.colours), "rasterized": True}
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.panel.colours), "rasterized": True}
     pen.ax.pcolormesh(x, y, values, shading="gouraud", zorder=1.0, **look)
     closed = [np.concatenate([row, back[::-1], row[:1]]) for row, back in ((x[0], x[0]), (y[-1], y[0]))]
     pen.ax.plot(*closed, color=style.INK, linewidth=style.THIN, solid_joinstyle="round")
@@ -149,16 +151,16 @@ def _(mark: Area, pen: Pen) -> None:
 
 @draw_mark.register
 def _(mark: Cells, pen: Pen) -> None:
-    assert pen.colours is not None
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.colours), "rasterized": True}
-    values = np.ma.masked_invalid(pen.colours.scale[0] * mark.values.T)
+    assert pen.panel.colours is not None
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.panel.colours), "rasterized": True}
+    values = np.ma.masked_invalid(pen.panel.colours.scale[0] * mark.values.T)
     pen.ax.pcolormesh(pen.along(mark.x), pen.upright(mark.y), values, zorder=1.0, **look)
 
 
 @draw_mark.register
 def _(mark: Contours, pen: Pen) -> None:
-    assert pen.colours is not None
-    lines = draw_contours(mark, pen.along(mark.x), pen.upright(mark.y), pen.colours, pen.ax)
+    assert pen.panel.colours is not None
+    lines = draw_contours(mark, pen.along(mark.x), pen.upright(mark.y), pen.panel.colours, pen.ax)
     pen.contours.append((mark, lines))
 
 
@@ -175,7 +177,7 @@ def _(mark: Points, pen: Pen) -> None:
     if mark.x.size > FEW:
         size *= MANY
         look |= {"markeredgewidth": style.THIN}
-    if pen.colours:
+    if pen.panel.colours:
         # A small symbol may lie on a larger one.
         look |= {"markeredgewidth": style.THIN, "clip_on": False, "zorder": 4.0 - 0.1 * size}
     look |= {"linestyle": "none", "markersize": size, "label": typeset(mark.name) or None}
@@ -195,7 +197,7 @@ def _(mark: Span, pen: Pen) -> None:
 
 @draw_mark.register
 def _(mark: Bars, pen: Pen) -> None:
-    colour, draw = COLOURS[mark.colour], pen.ax.barh if pen.sideways else pen.ax.bar
+    colour, draw = COLOURS[mark.colour], pen.ax.barh if pen.panel.sideways else pen.ax.bar
     look: dict[str, Any] = {"color": colour if mark.dash == "solid" else style.PALE, "edgecolor": colour}
     label, places = _look(mark)["label"], pen.along(mark.x + mark.aside)
     draw(places, pen.upright(mark.y), pen.along(mark.width), linewidth=style.HAIR, label=label, **look)
@@ -207,7 +209,7 @@ def _(mark: Whiskers, pen: Pen) -> None:
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     look: dict[str, Any] = {"fmt": "none", "capsize": 2.0, "linewidth": style.THIN, "ecolor": COLOURS[mark.colour]}
     look["label"] = _look(mark)["label"]
-    if pen.sideways:
+    if pen.panel.sideways:
         pen.ax.errorbar(middle, places, xerr=half, **look)
     else:
         pen.ax.errorbar(places, middle, yerr=half, **look)
@@ -240,7 +242,18 @@ def _(mark: Dimension, pen: Pen) -> None:
 
 @draw_mark.register
 def _(mark: Words, pen: Pen) -> None:
-    _write(mark.words, mark.x, mark.y, mark.side, pen, color=COLOURS[mark.colour])
+    _write(mark.words, mark.x, _above(mark, pen) if mark.clear else mark.y, mark.side, pen, color=COLOURS[mark.colour])
+
+
+def _above(mark: Words, pen: Pen) -> float:
+    """Return where words are above all lines that they would cross."""
+    assert pen.span is not None
+    assert pen.panel.upright.range is not None
+    width = WIDER * width_of(pen.ax, mark.words) * (pen.span[1] - pen.span[0])
+    low, high = (mark.x - width, mark.x) if mark.side == "right" else (mark.x, mark.x + width)
+    lines = (other for other in pen.panel.marks if isinstance(other, Line))
+    crossed = [line.y[(line.x >= low) & (line.x <= high)] for line in lines]
+    return float(min(np.nanmax(np.concatenate([[mark.y], *crossed])), HIGHEST * pen.panel.upright.range[1]))
 
 
 def _write(words: str, x: float, y: float, side: Side, pen: Pen, **look: Any) -> None:

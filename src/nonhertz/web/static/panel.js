@@ -29,6 +29,7 @@ import { digits } from "./numbers.js";
 const HEIGHT = 240; // pixels, unless a panel says otherwise
 const LOW = 150; // pixels, below which there is little room for ticks
 const LETTER = 6; // pixels, of a mean letter
+const TOP = 0.9; // of the axis, at which words above lines still fit
 const FAR = 2; // times the range, beyond which a line need not be drawn
 const HIGHEST = 300; // pixels, of a panel in true proportions
 const COLOURS = { first: FIRST, second: SECOND, ink: INK, faint: FAINT, paper: "var(--surface)" }; // of two lines at most
@@ -93,7 +94,8 @@ const MARKS = {
     Plot.link([0], { x1: [low], x2: [high], y1: [y], y2: [y], stroke, markerStart: "arrow-reverse", markerEnd: "arrow" }),
     ...written((low + high) / 2, y, words ?? "", "center", frame),
   ],
-  words: ({ x, y, words, side = "center" }, _, frame) => written(x, y, words, side, frame),
+  words: ({ x, y, words, side = "center", clear }, _, frame) =>
+    written(x, clear ? above(x, y, words, side, frame) : y, words, side, frame),
 };
 
 /** Words above a point, beside it where they would not fit into the axes. @param {number} x @param {number} y @param {string} words @param {string} side */
@@ -104,6 +106,14 @@ function written(x, y, words, side, { span: [low, high], wide }) {
   const dx = { left: 5, center: 0, right: -5 }[fitting];
   const options = { x: [x], y: [y], text: [words], dx, dy: -6, textAnchor: ANCHORS[fitting], lineAnchor: "bottom" };
   return words ? [Plot.text([0], { ...options, ...HALO })] : [];
+}
+
+/** Where words that begin or end at a point are above all lines that they would cross. */
+function above(x, y, words, side, { lines, range: [, top], span: [low, high], wide }) {
+  const width = (LETTER * (words.length + 1) * (high - low)) / wide;
+  const from = side === "right" ? x - width : x;
+  const crossed = lines.flatMap((line) => line.y.filter((_, place) => from <= line.x[place] && line.x[place] <= from + width));
+  return Math.min(Math.max(y, ...crossed), TOP * top);
 }
 
 /** A gradient along an area; its colours are those in its middle. */
@@ -160,6 +170,8 @@ function drawPanel(panel, along, pinned, limits, labelled, net, pinnedAs) {
     net,
     span: along.range ?? [0, 1],
     wide: innerWidthOf(host),
+    lines,
+    range: upright.range,
     words: (place, height, number) =>
       [amount(along, place), amount(upright, height), amount(/** @type {Axis} */ (colours), number)].join("\n"),
   };
