@@ -30,7 +30,7 @@ class Desk:
     def settle(self, within: float | None = None) -> None:
         """Wait until what was asked has been answered and drawn, stresses included; seconds, if not the page's own."""
         timeout = None if within is None else 1000 * within
-        self.page.locator("html[data-state=settled]").wait_for(state="attached", timeout=timeout)
+        self.page.locator("html[data-state=settled]:not([data-drawing])").wait_for(state="attached", timeout=timeout)
 
     def field(self, path: str) -> Any:
         """The input of a key."""

@@ -273,19 +273,22 @@ def test_cases_over_each_other_have_colours_and_dashes_of_their_own():
 
 
 def test_ridges_in_perspective_are_the_pressures_above_slanted_lines():
-    roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1200))
+    roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1200), corner_radius=0.3)
     rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
     row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
-    loaded = nh.bearing.solve(row, radial=5e3)
-    figure = perspective.pressure_ridges(loaded, points=21)
+    loaded = nh.bearing.solve(row, radial=10e3, tilt=3e-4)
+    figure = perspective.pressure_ridges(loaded)
     for panel, ring in zip(figure.panels, (0, 1), strict=True):
         lines = [mark for mark in panel.marks if isinstance(mark, Line)]
-        stands = [line for line in lines if line.x.size == 2]
-        ridges = [line for line in lines if line.x.size == 21]
+        stands = [line for line in lines if line.colour == "faint"]
+        ridges = [line for line in lines if line.colour != "faint"]
         assert len(stands) == 13
         assert len(ridges) == np.count_nonzero(loaded.load[:, ring])
         heights = [ridge.y - np.interp(ridge.x, stand.x, stand.y) for ridge in ridges for stand in stands
-                   if stand.x[0] == ridge.x[0]]  # fmt: skip
+                   if stand.x[0] <= ridge.x[0] and ridge.x[-1] <= stand.x[-1]]  # fmt: skip
+        assert len(heights) == len(ridges)
+        # However narrow, the peak at the end of the land is drawn.
         assert max(height.max() for height in heights) == pytest.approx(loaded.max_pressure[:, ring].max(), rel=1e-3)
+        assert abs(loaded.max_pressure_y[:, ring][loaded.max_pressure[:, ring].argmax()]) > 4.5
         assert all(height.min() >= -1e-9 for height in heights)
         assert [bool(ridge.name) for ridge in ridges] == [True] + [False] * (len(ridges) - 1)

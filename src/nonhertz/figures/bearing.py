@@ -81,7 +81,7 @@ def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float,
     edges = turned[order[0]] - 360.0 + pitch * (np.arange(order.size + 1) - 0.5)
     between = np.concatenate([places[:1], 0.5 * (places[1:] + places[:-1]), places[-1:]])
     pressure = unrolled.pressure[order]
-    heading = ring_heading(solution, unrolled)
+    heading = ring_heading(solution, ring, unrolled.row)
     words, marks = "no roller loaded", []
     these = solution.rollers_of(unrolled.row)
     of_ring = RINGS.index(ring)

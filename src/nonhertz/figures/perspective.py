@@ -9,50 +9,41 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nonhertz.amounts import mm, mpa
-from nonhertz.bearing.solution import BearingSolution, UnrolledPressure
+from nonhertz.bearing.section import RINGS
+from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.angles import around, loaded_middle, turn_axis
 from nonhertz.figures.forces import conditions
 from nonhertz.figures.roller import STYLES
-from nonhertz.figures.unrolled import ring_heading, unrolled_pressures
+from nonhertz.figures.unrolled import ring_heading
 from nonhertz.figures.value import Axis, Figure, Line, Panel
-
-Array = NDArray[np.float64]
+from nonhertz.result.along import contact_lines
 
 #: Of the pitch of the rollers and of the largest pressure, how far the back ends of ridges are off their front ends.
 ASIDE, ABOVE = 0.85, 0.3
 ROOM = 1.05
 HEIGHT = 130  # pixel
-POINTS = 81
-"""Places along a ridge."""
 
 
-def pressure_ridges(solution: BearingSolution, points: int = POINTS) -> Figure:
+def pressure_ridges(solution: BearingSolution) -> Figure:
     """Return the pressure of all rollers in perspective, a panel for each row and ring.
 
     Parameters
     ----------
     solution : BearingSolution
         A loaded bearing, solved by strips.
-    points : int
-        Places along the rollers.
 
     Raises
     ------
     InputError
         If the bearing was solved by slices.
     """
-    middle, most = loaded_middle(solution), max(row.bearing.rollers for row in solution.bearing.rows)
-    along = turn_axis(middle)
+    rollers = [row.bearing.rollers for row in solution.bearing.rows]
+    along = turn_axis(loaded_middle(solution))
     assert along.range is not None
-    least = min(row.bearing.rollers for row in solution.bearing.rows)
-    shown = along.range[0] - 180.0 / most, along.range[1] + 360.0 * ASIDE / least
-    top = float(solution.max_pressure.max()) or 1.0
-    panels = []
-    for both in unrolled_pressures(solution, points):
-        panels += [_panel(solution, unrolled, middle, top) for unrolled in both]
+    shown = along.range[0] - 180.0 / max(rollers), along.range[1] + 360.0 * ASIDE / min(rollers)
+    panels = [_panel(solution, row, ring) for row in range(len(rollers)) for ring in RINGS]
     caption = (
         "Pressure of all rollers on the centre lines of their contacts, in perspective: each stands at its angle, with "
         "the end of negative y in front."
@@ -60,31 +51,33 @@ def pressure_ridges(solution: BearingSolution, points: int = POINTS) -> Figure:
     return Figure(replace(along, range=shown), panels, conditions(solution), caption)
 
 
-def _panel(solution: BearingSolution, unrolled: UnrolledPressure, middle: float, top: float) -> Panel:
-    ring, heading = unrolled.ring, ring_heading(solution, unrolled)
-    largest, half = float(unrolled.pressure.max()), float(unrolled.y[-1])
-    words = f"{heading.removeprefix('Pressure at the ')}, from y = {mm(-half):.3g} in front to {mm(half):.3g} behind"
+def _panel(solution: BearingSolution, row: int, ring: str) -> Panel:
+    top = float(solution.max_pressure.max()) or 1.0
+    heading = f"{ring_heading(solution, ring, row)} in perspective"
     return Panel(
         f"ridges-{ring}",
         heading,
         Axis("Pressure", "p₀", "MPa", range=(0.0, (ROOM + ABOVE) * top)),
-        [*_ridges(unrolled, middle, top, words)],
-        f"{heading} in perspective, up to {mpa(largest):.4g}, of all rollers.",
+        [*_ridges(solution, row, ring, top)],
+        f"{heading}, of all rollers.",
         height=HEIGHT,
     )
 
 
-def _ridges(unrolled: UnrolledPressure, middle: float, top: float, words: str) -> Iterator[Line]:
+def _ridges(solution: BearingSolution, row: int, ring: str, top: float) -> Iterator[Line]:
     """Yield the line on which each roller stands, and its pressure above that, from the left; the first has a name."""
-    angle = around(np.degrees(unrolled.angle), middle)
-    depth = np.linspace(0.0, 1.0, unrolled.y.size)
-    aside, base = 360.0 * ASIDE / angle.size * depth, ABOVE * top * depth
+    these, half = solution.rollers_of(row), 0.5 * solution.bearing.rows[row].bearing.roller_length
+    angle = around(np.degrees(solution.angle[these]), loaded_middle(solution))
+    behind = np.array([360.0 * ASIDE / angle.size, ABOVE * top])
+    largest = mpa(float(solution.max_pressure[these, RINGS.index(ring)].max()))
+    words = f"{ring} ring, largest {largest:.4g}, from y = {mm(-half):.3g} in front to {mm(half):.3g} behind"
     for roller in np.argsort(angle).tolist():
-        pressure = unrolled.pressure[roller]
-        place = angle[roller] + aside
-        yield Line(place[[0, -1]], base[[0, -1]], colour="faint")
-        if pressure.any():
+        yield Line(angle[roller] + [0.0, behind[0]], np.array([0.0, behind[1]]), colour="faint")
+        contact = solution.contact(these.start + roller, ring)
+        if contact is not None:
+            lines = contact_lines(contact)
+            depth = 0.5 * (1.0 + lines.y / half)
             # Strips at singular ends have no converged values: what is above the largest is cut.
-            ridge = base + np.minimum(pressure, ROOM * top)
-            yield Line(place, ridge, name=words, colour=STYLES[unrolled.ring]["colour"])
+            ridge = behind[1] * depth + np.minimum(lines.pressure, ROOM * top)
+            yield Line(angle[roller] + behind[0] * depth, ridge, name=words, colour=STYLES[ring]["colour"])
             words = ""

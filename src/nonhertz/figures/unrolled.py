@@ -17,7 +17,7 @@ def unrolled_pressures(solution: BearingSolution, points: int) -> list[list[Unro
     return rows
 
 
-def ring_heading(solution: BearingSolution, unrolled: UnrolledPressure) -> str:
+def ring_heading(solution: BearingSolution, ring: str, row: int) -> str:
     """Return the heading of a panel: the ring, and the row where there are several."""
-    row = f", row {unrolled.row + 1}" if len(solution.bearing.rows) > 1 else ""
-    return f"Pressure at the {unrolled.ring} ring{row}"
+    among = f", row {row + 1}" if len(solution.bearing.rows) > 1 else ""
+    return f"Pressure at the {ring} ring{among}"

@@ -124,7 +124,7 @@ function drawPictures() {
   head(figure("polar"), "Loads of all rollers", POLAR_KEY, `by ${answer.method}`);
   polar.draw(answer, number);
   drawRoller(answer, before, number);
-  drawMap(before ?? answer, number);
+  drawMaps(before ?? answer, number);
   drawFilms(answer, number);
   const stale = figure("pressure");
   stale.classList.toggle("stale", !page.fresh);
@@ -165,12 +165,14 @@ async function askLines(answer, document, number) {
   if (roller() === number) drawPictures();
 }
 
-/** Draw the pressure of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */
-function drawMap({ maps, rows }, number) {
+/** Draw the pressures of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */
+function drawMaps({ maps, ridges, rows }, number) {
   const row = rows.findIndex(({ first, count }) => first <= number && number < first + count);
   byId("maps").hidden = !maps;
   byId("maps").classList.toggle("stale", !page.fresh);
-  if (maps) drawPanels({ ...maps, panels: maps.panels.slice(2 * row, 2 * row + 2) }, undefined, { last: "map-outer" });
+  const ofRow = (drawn) => ({ ...drawn, panels: drawn.panels.slice(2 * row, 2 * row + 2) });
+  if (maps) drawPanels(ofRow(maps), undefined, { last: "map-outer" });
+  if (maps) drawPanels(ofRow(ridges), undefined, { last: "ridges-outer" });
 }
 
 /** Draw the films over the row of the roller that is shown, and along the roller with the minimum film. @param {any} answer @param {number} number */

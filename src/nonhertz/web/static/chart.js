@@ -34,6 +34,38 @@ export function whenResized(redraw) {
   resized = redraw;
 }
 
+const STILL = 150; // ms without anything to draw, after which figures out of sight are drawn, too
+/** @type {Map<HTMLElement, () => void>} */
+const waiting = new Map();
+/** @type {WeakSet<Element>} */
+const unseen = new WeakSet();
+const sight = new IntersectionObserver((entries) => {
+  for (const { target, isIntersecting } of entries) {
+    if (isIntersecting) unseen.delete(target);
+    else unseen.add(target);
+    if (isIntersecting) drawNow(/** @type {HTMLElement} */ (target));
+  }
+});
+let still = 0;
+
+/** Draw a figure now if it is in sight, otherwise when it comes there or a drag rests. @param {HTMLElement} host @param {() => void} drawing */
+export function whenSeen(host, drawing) {
+  sight.observe(host);
+  waiting.set(host, drawing);
+  window.clearTimeout(still);
+  still = window.setTimeout(() => [...waiting.keys()].forEach(drawNow), STILL);
+  if (!unseen.has(host)) drawNow(host);
+  else document.documentElement.toggleAttribute("data-drawing", true);
+}
+
+/** @param {HTMLElement} host */
+function drawNow(host) {
+  const drawing = waiting.get(host);
+  waiting.delete(host);
+  drawing?.();
+  document.documentElement.toggleAttribute("data-drawing", waiting.size > 0);
+}
+
 /** The width of a figure's drawing in pixels. @param {HTMLElement} host */
 export function widthOf(host) {
   const room = /** @type {HTMLElement} */ (host.querySelector(".drawing"));

@@ -16,6 +16,8 @@ import {
   innerWidthOf,
   pinnedLine,
   reading,
+  whenSeen,
+  widthOf,
 } from "./chart.js";
 import { BANDS, FINE, resampled } from "./contours.js";
 import { noteNumbers } from "./csv.js";
@@ -25,6 +27,7 @@ import { digits } from "./numbers.js";
 /** @typedef {{kind: string, name?: string, colour?: string, dash?: string} & Record<string, any>} Mark */
 /** @typedef {{name: string, heading: string, upright: Axis, marks: Mark[], description: string, remark?: string, height?: number, colours?: Axis, proportional?: boolean, round?: boolean, along?: Axis}} Panel */
 /** @typedef {{along: Axis, panels: Panel[], conditions?: string}} Figure */
+/** @typedef {import("./tilt.js").Axes} Axes where places are in a drawing */
 
 const HEIGHT = 240; // pixels, unless a panel says otherwise
 const LOW = 150; // pixels, below which there is little room for ticks
@@ -36,6 +39,9 @@ const COLOURS = { first: FIRST, second: SECOND, ink: INK, faint: FAINT, paper: "
 const DASHES = { dashed: "6 3", dotted: "2 3", ends: "7 2 1.5 2" };
 const ANCHORS = { left: "start", center: "middle", right: "end" };
 const HALO = { fill: INK, stroke: "var(--surface)", strokeWidth: 4 };
+
+/** What figures show, of which only those that change are drawn again. @type {WeakMap<HTMLElement, {text: string, axes: Axes}>} */
+const shown = new WeakMap();
 
 /** What Plot draws of a mark; places beyond the axis are kept near it. @type {Record<string, (mark: any, look: any, frame: any) => any[]>} */
 const MARKS = {
@@ -131,17 +137,22 @@ function gradient(id, x, values, { range }) {
  * Draw all panels of a figure, with the lines of a pinned one, into the figures of their names.
  * @param {Figure} drawn
  * @param {Figure | undefined} pinned
- * @param {{limits?: [number, number] | null, last?: string, net?: {columns: number, rows: number}, pinnedAs?: string}} [how]
+ * @param {{limits?: [number, number] | null, last?: string, net?: {columns: number, rows: number}, pinnedAs?: string, placed?: (axes: Axes) => void}} [how]
  *   limits of the upright axes if these are to stay as they were, the panel whose axis along is labelled, the grid of
- *   contours, and what the pinned one is called
- * @returns {import("./tilt.js").Axes[]} where places are in the drawings
+ *   contours, what the pinned one is called, and what follows when a panel is drawn
  */
-export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE, pinnedAs = "pinned" } = {}) {
-  const before = (name) => pinned?.panels.find((panel) => panel.name === name);
-  return drawn.panels.map((panel) => {
+export function drawPanels(drawn, pinned, { limits = null, last = "", net = FINE, pinnedAs = "pinned", placed } = {}) {
+  for (const panel of drawn.panels) {
     const labelled = panel.name === last || panel.along !== undefined;
-    return drawPanel(panel, panel.along ?? drawn.along, before(panel.name), limits, labelled, net, pinnedAs);
-  });
+    const before = pinned?.panels.find(({ name }) => name === panel.name);
+    const how = [panel, panel.along ?? drawn.along, before, limits, labelled, net, pinnedAs];
+    const host = figure(panel.name);
+    whenSeen(host, () => {
+      const text = JSON.stringify([widthOf(host), ...how]);
+      if (shown.get(host)?.text !== text) shown.set(host, { text, axes: drawPanel(...how) });
+      placed?.(shown.get(host).axes);
+    });
+  }
 }
 
 /**
@@ -199,7 +210,7 @@ function drawPanel(panel, along, pinned, limits, labelled, net, pinnedAs) {
         ...before.flatMap(({ x, y }) => pinnedLine(x, frame.near(y))),
         ...panel.marks.flatMap((mark) => MARKS[mark.kind](mark, look(mark), frame)),
         ...areas.flatMap((area) => readingOf(area, along, upright, colours)),
-        ...(lines.length && !areas.length
+        ...(lines.length && !areas.length && (lines.length === 1 || lines.every(({ name }) => name))
           ? reading(lines[0].x, frame.near(lines[0].y), (place) => read(lines, place, along, upright))
           : []),
       ],

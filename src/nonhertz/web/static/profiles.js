@@ -1,12 +1,9 @@
 // The small drawing of each body's profile, above the list of profiles in the form.
 
-import { figure, widthOf } from "./chart.js";
+import { figure } from "./chart.js";
 import { drawPanels } from "./panel.js";
 
 /** @typedef {import("./types.js").Profiles} Profiles */
-
-/** @type {WeakMap<Element, string>} what a drawing shows */
-const drawn = new WeakMap();
 
 /** What a body is called: those of a single contact have letters. @param {string} body */
 export function bodyNamed(body) {
@@ -27,9 +24,6 @@ export function drawProfiles(bodies, profiles, pinned, pinnedAs) {
     const profile = profiles?.[body];
     host.classList.toggle("outdated", !profile); // the last drawing of an invalid body stays, dimmed
     if (!profile) continue;
-    // Redrawn only if it changed: dragging the load, for example, changes no profile.
-    const shown = JSON.stringify([widthOf(host), profile, pinned?.[body], pinnedAs]);
-    if (drawn.get(host) !== shown) drawPanels(profile, pinned?.[body], { last: profile.panels[0].name, pinnedAs });
-    drawn.set(host, shown);
+    drawPanels(profile, pinned?.[body], { last: profile.panels[0].name, pinnedAs });
   }
 }

@@ -96,9 +96,9 @@ export class View {
     const how = { pinnedAs: pinnedAs(this.pins) };
     drawPanels(figures.pressure, before?.pressure, how);
     drawPanels(figures.footprint, undefined);
-    const [axes] = drawPanels(figures.distance, before?.distance, { ...how, limits: this.tilt.limits, last: "gap" });
     const undeformed = figures.distance.panels[0].marks.find(({ name }) => name === "undeformed");
-    this.tilt.place(/** @type {any} */ (undeformed), key.tilt, axes);
+    const placed = (axes) => this.tilt.place(/** @type {any} */ (undeformed), key.tilt, axes);
+    drawPanels(figures.distance, before?.distance, { ...how, limits: this.tilt.limits, last: "gap", placed });
     this.drawProfiles(this.profiles);
     this.writeKeys();
   }

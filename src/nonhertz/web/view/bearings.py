@@ -12,6 +12,7 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.figures.bearing import pressure_maps
 from nonhertz.figures.film import film_figures
 from nonhertz.figures.loads import roller_loads
+from nonhertz.figures.perspective import pressure_ridges
 from nonhertz.figures.profile import body_relief
 from nonhertz.figures.roller import roller_lines
 from nonhertz.files.bearing_document import PARTS
@@ -67,7 +68,7 @@ def bearing_answer(case: BearingCase, solution: BearingSolution, roller: int | N
         "force": plain(solution.force),
         "most": most_loaded(solution),
         "loads": roller_loads(solution).to_json(),
-        "maps": _maps(solution),
+        **_maps(solution),
         "films": {} if films is None else {name: figure.to_json() for name, figure in film_figures(films).items()},
         "verdict": verdict_seen(case.verdict(solution, life)),
         "summary": rows_of_summaries(shown),
@@ -90,11 +91,11 @@ def _rows(solution: BearingSolution) -> list[dict[str, Any]]:
     return [{"first": these.start, "count": these.stop - these.start} for these in rows]
 
 
-def _maps(solution: BearingSolution) -> dict[str, Any] | None:
-    """Return the pressure of all rollers; None by slices, which have no pressures, or without load."""
+def _maps(solution: BearingSolution) -> dict[str, Any]:
+    """Return the pressures of all rollers, as maps and in perspective; none by slices, or without load."""
     if solution.method == "slices" or not solution.load.any():
-        return None
-    return pressure_maps(solution, MAP_POINTS).to_json()
+        return {"maps": None}
+    return {"maps": pressure_maps(solution, MAP_POINTS).to_json(), "ridges": pressure_ridges(solution).to_json()}
 
 
 def nothing_drawn(name: str, solution: BearingSolution) -> str:
