@@ -2,6 +2,7 @@
 
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import desks, served
@@ -113,6 +114,32 @@ def test_a_clicked_roller_is_drawn(bearing):
     wait_for_lines(bearing, "Roller 6 at 300.0 degrees")
     bearing.page.locator("#most").click()
     wait_for_lines(bearing, "Roller 1 at 0.0 degrees, the most loaded")
+
+
+def test_of_many_rollers_chosen_in_a_row_the_last_is_asked_for(bearing):
+    asked: list[Any] = []
+
+    def hold(route: Any) -> None:
+        asked.append(route)
+
+    bearing.page.route("**/bearing/roller", hold, times=1)
+    bearing.page.locator('[data-roller="1"] .mark').click()
+    for _ in range(4):
+        bearing.page.keyboard.press("ArrowRight")
+    bearing.page.wait_for_timeout(200)
+    assert [route.request.post_data_json["roller"] for route in asked] == [1]
+    with bearing.page.expect_request("**/bearing/roller") as last:
+        asked[0].continue_()
+    assert last.value.post_data_json["roller"] == 5
+    wait_for_lines(bearing, "Roller 6 at 300.0 degrees")
+
+
+def test_the_pressures_of_all_rollers_are_seen_in_perspective(bearing):
+    ridges = bearing.page.locator('[data-figure="ridges-inner"]')
+    assert ridges.locator("figcaption .heading").inner_text() == "Pressure at the inner ring in perspective"
+    loaded = sum(load > 0.0 for load in BearingCase.of(tomllib.loads(FEW), Path("six.toml")).solve().load[:, 0])
+    assert ridges.locator('.drawing g[stroke="var(--first)"] path').count() == loaded
+    assert ridges.locator('.drawing g[stroke="var(--faint)"] path').count() == 6
 
 
 def opened(desk: Desk, text: str) -> None:

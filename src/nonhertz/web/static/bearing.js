@@ -153,16 +153,20 @@ function drawRoller({ lines }, before, number) {
   if (pin) void askLines(pin.answer, pin.document, number);
 }
 
-/** Ask for the lines of a roller where an answer has those of another. */
+/** Ask for the lines of a roller where an answer has those of another: of one at a time, the last one that is wanted. */
 async function askLines(answer, document, number) {
-  if (!answer || answer.shown === number || answer.wanted === number || number >= answer.angle.length) return;
+  if (!answer || number >= answer.angle.length) return;
+  const asks = answer.wanted !== undefined;
+  if (!asks && answer.shown === number) return;
   answer.wanted = number;
-  const more = await asked("bearing/roller", { document, method: answer.method, roller: number });
-  if (answer.wanted !== number) return; // another one is wanted by now
-  answer.wanted = null;
-  if (!more?.ok) return;
-  [answer.shown, answer.lines] = [more.shown, more.lines];
-  if (roller() === number) drawPictures();
+  while (!asks && answer.wanted !== answer.shown) {
+    const more = await asked("bearing/roller", { document, method: answer.method, roller: answer.wanted });
+    if (!more?.ok) break;
+    [answer.shown, answer.lines] = [more.shown, more.lines];
+  }
+  if (asks) return;
+  answer.wanted = undefined;
+  if (roller() === answer.shown) drawPictures();
 }
 
 /** Draw the pressures of all rollers in the row of the one that is shown, by strips. @param {any} answer @param {number} number */
