@@ -110,7 +110,7 @@ function written(x, y, words, side, { span: [low, high], wide }) {
   const at = (wide * (x - low)) / (high - low);
   const fitting = side !== "center" ? side : at + half > wide ? "right" : at < half ? "left" : side;
   const dx = { left: 5, center: 0, right: -5 }[fitting];
-  const options = { x: [x], y: [y], text: [words], dx, dy: -6, textAnchor: ANCHORS[fitting], lineAnchor: "bottom" };
+  const options = { x: [x], y: [y], text: [typeset(words)], dx, dy: -6, textAnchor: ANCHORS[fitting], lineAnchor: "bottom" };
   return words ? [Plot.text([0], { ...options, ...HALO })] : [];
 }
 
@@ -120,6 +120,11 @@ function above(x, y, words, side, { lines, range: [, top], span: [low, high], wi
   const from = side === "right" ? x - width : x;
   const crossed = lines.flatMap((line) => line.y.filter((_, place) => from <= line.x[place] && line.x[place] <= from + width));
   return Math.min(Math.max(y, ...crossed), TOP * top);
+}
+
+/** Words with a true minus sign, as matplotlib sets them. @param {string} words */
+function typeset(words) {
+  return words.replace(/(?<![\w^])-(?=[\d.])/g, "\u2212");
 }
 
 /** A gradient along an area; its colours are those in its middle. */
@@ -190,13 +195,13 @@ function drawPanel(panel, along, pinned, limits, labelled, net, pinnedAs) {
   const before = (pinned?.marks ?? []).filter(({ kind }) => kind === "line");
   const listed = panel.marks.filter(({ kind, name }) => name && (kind === "line" || (kind === "points" && !colours)));
   const swatch = ({ kind, colour = "first", dash = "solid" }) => `${colour} ${kind === "points" ? "dot" : dash}`;
-  const key = listed.map((mark) => [swatch(mark), mark.name]);
+  const key = listed.map((mark) => [swatch(mark), typeset(mark.name)]);
   const hasContours = panel.marks.some(({ kind }) => kind === "contours");
   const shades = colours && !hasContours ? [["gradient", `dark to bright: ${colours.symbol} 0 to ${value(colours, colours.range[1])}`]] : [];
   const margins = { ...MARGINS, ...(labelled ? { marginBottom: NAMED } : {}) };
   const { height, proportions } = sizeOf(host, panel, along, margins);
-  const remark = [proportions, panel.remark].filter((words) => words).join("; ");
-  head(host, panel.heading, [...key, ...shades, ...(pinned ? [["pinned", pinnedAs]] : [])], remark);
+  const remark = typeset([proportions, panel.remark].filter((words) => words).join("; "));
+  head(host, typeset(panel.heading), [...key, ...shades, ...(pinned ? [["pinned", pinnedAs]] : [])], remark);
   const chart = draw(
     host,
     {

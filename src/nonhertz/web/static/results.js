@@ -1,6 +1,7 @@
 // Key numbers, warnings and the summary: the text beside the figures.
 
 import { byId } from "./elements.js";
+import { nameOf } from "./fields.js";
 import { showMistakes } from "./mistakes.js";
 import { difference } from "./numbers.js";
 import { html, render } from "./preact.js";
@@ -99,11 +100,20 @@ export function writeWords(answer, before = null) {
   byId("warnings").hidden = !warnings.length;
   render(warnings.map((sentence) => html`<li>${sentence}</li>`), byId("warnings"));
   const row = ([name, value, remark]) =>
-    html`<tr>${name ? html`<th scope="row">${name}</th>` : html`<td></td>`}<td>${value}</td><td>${remark}</td></tr>`;
+    html`<tr>${name ? html`<th scope="row">${name}</th>` : html`<td></td>`}<td>${value}</td><td>${named(remark)}</td></tr>`;
   render(answer.summary.map(row), byId("summary"));
   const { length } = answer.warnings;
   const by = answer.method ? `By ${answer.method}: ` : "";
   sayLater(`${by}${spoken(answer.numbers)}${length ? `, ${length} warning${length > 1 ? "s" : ""}` : ""}`);
+}
+
+/** A remark with the names of fields in place of their keys. @param {string} remark */
+function named(remark) {
+  const { elements } = /** @type {HTMLFormElement} */ (byId("case"));
+  return remark.replace(/\b[a-z]\w*(\.\w+(\[\d+\])?)+/g, (key) => {
+    const control = /** @type {any} */ (elements.namedItem(key));
+    return control ? nameOf(control) : key;
+  });
 }
 
 /** A table in which heads and cells are as the program words them. @param {{heads: string[], children: any}} props */
