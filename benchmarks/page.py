@@ -97,6 +97,7 @@ def in_browser(address: str) -> dict[str, Times] | None:
         tab = browser.new_page(viewport={"width": 1400, "height": 1000})
         tab.goto(address)
         settle(tab)
+        tab.locator("#stress-figures").scroll_into_view_if_needed()  # what is out of sight is not drawn in a drag
         tab.evaluate(COUNT_STRESSES)
         found = {name: dragged(tab, path) for name, path in SLIDERS.items()}
         browser.close()

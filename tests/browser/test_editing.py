@@ -297,6 +297,7 @@ def test_what_a_body_bears_is_said_when_the_slider_rests(open_desk):
     desk = open_desk(f"#c={packed(document)}")
     fresh = desk.page.locator("#strength[data-state=done]:not(.stale)")
     fresh.wait_for()
+    desk.settle()
     pressure, yielding = fresh.locator("li").all_inner_texts()
     assert f"of {desk.numbers['Maximum pressure']:.1f} MPa" in pressure
     assert "static safety" in pressure
