@@ -47,6 +47,7 @@ def test_all_that_is_read_of_a_contact(desk):
     switch(desk)
     desk.page.locator('#curve[data-state="done"]').wait_for()
     desk.page.locator('#strength[data-state="done"]').wait_for()
+    desk.settle()
     words = everything(desk, "#results")
     assert [found[0] for found in OF_SI.finditer(words)] == []
     for unit in ("[ksi]", "[in]", "[µin]", "lbf", "microinches"):
