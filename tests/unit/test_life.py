@@ -191,7 +191,7 @@ def test_at_a_corner_where_the_contact_ends_the_same_is_left_out_on_finer_strips
     halved = np.unique(np.concatenate([corner.edges, 0.5 * (corner.edges[1:] + corner.edges[:-1])]))
     lives = [assess(each, "lundberg-palmgren")[0] for each in (corner, nh.solve(contact, load=20e3, strips=halved))]
     assert lives[1].relative_life == pytest.approx(lives[0].relative_life, rel=0.05)
-    words = "without limit towards the corners of the profile at y = -9 and 9 mm: nearer to them than"
+    words = "without limit towards the corners of the profile at y = -9 and 9 mm: the volume nearer to them than"
     assert all(any(words in warning for warning in life.warnings) for life in lives)
 
 
