@@ -307,10 +307,10 @@ def test_the_summary_and_the_file_say_what_takes_the_clearance(folder, run):
     text = (FEW + SLICES).replace("rollers = 6", 'rollers = 6\nclearance = "40 um"')
     Path("fit.toml").write_text(text + FIT, encoding="utf-8")
     printed = run("bearing", "fit.toml").out
-    taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) µm +(taken by .*?) *\n", printed)}
+    taken = {remark: float(value) for value, remark in re.findall(r"([-\d.]+) µm +(reduction by .*?) *\n", printed)}
     # NSK's formula, and 12.5e-6 a kelvin.
-    assert taken["taken by the fit of the inner ring"] == pytest.approx(12.0 * 30.0 / 37.5, rel=1e-3)
-    assert taken["taken by temperatures"] == pytest.approx(1e3 * 12.5e-6 * 20.0 * 37.5, rel=1e-3)
+    assert taken["reduction by the fit of the inner ring"] == pytest.approx(12.0 * 30.0 / 37.5, rel=1e-3)
+    assert taken["reduction by temperatures"] == pytest.approx(1e3 * 12.5e-6 * 20.0 * 37.5, rel=1e-3)
     (left,) = re.findall(r"clearance +([-\d.]+) µm +radial, in operation", printed)
     (before,) = re.findall(r"before mounting +([-\d.]+) µm +radial", printed)
     assert float(left) == pytest.approx(float(before) - sum(taken.values()), abs=0.01)

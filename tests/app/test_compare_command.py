@@ -36,7 +36,7 @@ def test_the_table_has_all_three_methods_and_their_times(case, run):
     assert rows["size"][0] == "24 x 48 cells"
     assert max(map(len, lines[:14])) <= 100
     text = " ".join(printed.out.split())
-    assert "sharp ends at y = -10 and 10 mm, where it has no limit" in text
+    assert "sharp ends at y = -10 and 10 mm, where it is unbounded" in text
     assert "- semi-elliptic strips, y = -10 to " in text
     assert "warning: On the plane grid: " in text
 

@@ -59,7 +59,7 @@ def test_a_front_of_aligned_and_misaligned_loads(folder, run):
     assert out.startswith("Pressure unbounded in point ")
     head = re.split(r"\s{2,}", out.splitlines()[1])
     radius = "body.a.profile.radius [mm]"
-    assert head == ["point", "largest pressure without tilt [MPa]", "largest pressure with tilt [MPa]", radius]
+    assert head == ["point", "maximum pressure without tilt [MPa]", "maximum pressure with tilt [MPa]", radius]
     assert (folder / "plan-design" / "front.csv").read_text().startswith(",".join(head))
     files = {path.name for path in (folder / "plan-design").iterdir()}
     front = json.loads((folder / "plan-design" / "front.json").read_text(encoding="utf-8"))

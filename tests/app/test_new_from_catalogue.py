@@ -40,7 +40,7 @@ def test_a_file_holds_the_guess_and_is_solved(given, run, tmp_path):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (("d=30", "D=62"), "--catalogue = 'd=30 D=62' must have B, C and C0, too: add them, such as d=30"),
+        (("d=30", "D=62"), "--catalogue = 'd=30 D=62' must include B, C and C0: add them, as in d=30"),
         ((*NU206, "z=13"), "--catalogue = 'z' must be a known symbol"),
         ((*NU206[1:], "d=70"), "D = 62.0 must exceed the bore of 70 mm"),
         ((*NU206[:3], "C=44kN", "C0=3650kN"), "C0 = 3650000.0 must be that of rollers which fit"),

@@ -68,7 +68,7 @@ def test_only_reports_are_replaced(case, run):
     (line,) = refused([case, "--out", "case.toml/report.html"], run)
     assert line.startswith("--out = 'case.toml' must be a directory")
     (line,) = refused([case, "--out", "nowhere/x/report.html"], run)
-    assert line.startswith("--out = 'nowhere/x/report.html' must be in a folder that is there, or a new one in such a ")
+    assert line.startswith("--out = 'nowhere/x/report.html' must be in an existing folder, or in a new one within it")
     assert line.endswith(": make nowhere first, or correct the name.")
     assert not Path("nowhere").exists()
 

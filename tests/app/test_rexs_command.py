@@ -19,7 +19,7 @@ def test_out_and_in_again(run, folder):
         (["new", "--bearing", "--rexs", "none.rexs"], "--rexs = 'none.rexs' must be a file that can be read"),
         (["bearing", "nu.toml", "--rexs", "a.xml"], "--rexs = 'a.xml' must end with .rexs"),
         (["bearing", "nu.toml", "--rexs", "a.rexs", "--compare"], "--rexs = 'a.rexs' must not be given with --compare"),
-        (["bearing", "nu.toml", "--rexs", "a/b/c.rexs"], "--rexs = 'a/b/c.rexs' must be in a folder"),
+        (["bearing", "nu.toml", "--rexs", "a/b/c.rexs"], "--rexs = 'a/b/c.rexs' must be in an existing folder"),
     ],
 )
 def test_refusals(words, sentence, run, folder):

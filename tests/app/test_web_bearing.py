@@ -385,7 +385,7 @@ def test_a_catalogue_gives_a_bearing_and_says_what_is_estimated():
 @pytest.mark.parametrize(
     ("data", "sentence"),
     [
-        ({}, "must have d, D, B, C and C0, too"),
+        ({}, "must include d, D, B, C and C0: add them, as in d=30"),
         ({"d": 30}, "must be short text"),
         ({"d": "9" * 101}, "must be short text"),
         ({"z": "1"}, "catalogue = 'z' must be a known symbol"),

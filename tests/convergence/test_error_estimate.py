@@ -198,7 +198,7 @@ def test_the_accuracy_asked_of_the_largest_pressure_is_met(radius, accuracy):
 
 
 def test_an_accuracy_of_the_largest_pressure_that_no_strips_have_on_a_corner_is_warned_of():
-    with pytest.warns(nh.AccuracyWarning, match=r"0\.0003 asked for is not met: the error of the largest pressure"):
+    with pytest.warns(nh.AccuracyWarning, match=r"accuracy of 0\.0003 is not met: the error of the maximum pressure"):
         nh.solve(cornered(1200), load=4000, tilt=1.5e-4, accuracy=3e-4, accuracy_of="pressure")
 
 

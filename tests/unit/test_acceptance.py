@@ -190,7 +190,7 @@ def test_a_case_that_raises_does_not_take_the_others_with_it(strips):
     assert isinstance(many.failures[1], ZeroDivisionError)
 
 
-@pytest.mark.filterwarnings("ignore:The accuracy of:nonhertz.AccuracyWarning")
+@pytest.mark.filterwarnings("ignore:The requested accuracy of:nonhertz.AccuracyWarning")
 def test_of_two_solutions_the_one_that_the_bodies_can_stay_in_is_found():
     # 4.5 times as wide as long: on the first grid the loop ends in an unsymmetric state of negative stiffness.
     contact = nh.Contact(nh.Body(diameter=100, profile=nh.profile.crown(5)), nh.Plate())

@@ -141,7 +141,7 @@ def test_strips_that_differ_are_a_stretch_of_their_own(found):
 def test_maxima_are_compared_a_half_width_from_sharp_ends(found):
     one = found["sharp"]
     each = one.quantity("maximum pressure")
-    assert "no limit" in str(each.remark)
+    assert "unbounded" in str(each.remark)
     border = abs(one.semi_elliptic.max_pressure_y)
     assert_allclose(abs(one.quantity("position").patch), border, rtol=0, atol=0.02)
     # What is left is a number of both; a cell is half a half-width long here.

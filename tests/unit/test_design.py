@@ -207,7 +207,7 @@ def test_points_of_a_front_at_an_end_of_a_range_are_warned_of():
     assert (line.x.tolist(), line.y.tolist()) == (list(found.first), list(found.second))
     assert figure.to_csv().splitlines()[0] == "panel,line,upright [MPa],value,unit"
     (axes,) = sheet_of(figure).axes
-    assert axes.get_xlabel() == "Largest pressure, upright [MPa]"
+    assert axes.get_xlabel() == "Maximum pressure, upright [MPa]"
     every = f"at {len(found.first)} of {len(found.first)} points"
     said = f"The best body.a.profile.radius is the highest of its range, 1500 to 2000 mm, {every}: "
     assert [each.startswith(said) for each in found.warnings] == [True]
@@ -283,8 +283,8 @@ BY_ITS_DROP = nh.Case.of(
         ({"bounds": {"body.a.profile.radiu": "1 m : 2 m"}}, "Did you mean body.a.profile.radius"),
         ({"bounds": {"body.a.profile.radius": "2 m : 1 m"}}, "must ascend"),
         ({"bounds": {"body.a.material": "steel"}}, "change gradually"),
-        ({"case": BY_ITS_DROP}, "beside body.a.profile.drop, which the case gives in its place: vary it"),
-        ({"bounds": {"body.a.length": (-1.0, 2.0)}}, "stay within what the case allows"),
+        ({"case": BY_ITS_DROP}, "beside body.a.profile.drop, which replaces it in the case: vary that"),
+        ({"bounds": {"body.a.length": (-1.0, 2.0)}}, "be valid in the case"),
         ({"goal": "beauty"}, "goal = 'beauty' must be one of"),
         ({"loads": []}, "be load cases"),
         ({"loads": LOADS[:1]}, "must add up to 1"),

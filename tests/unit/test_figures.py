@@ -133,7 +133,7 @@ def test_words_on_an_end_without_limit_name_its_law():
     upper = figure.panels[0]
     assert upper.upright.cut
     assert "axis cut" in upper.remark
-    laws = [mark for mark in upper.marks if isinstance(mark, Words) and "no limit" in mark.words]
+    laws = [mark for mark in upper.marks if isinstance(mark, Words) and "unbounded" in mark.words]
     assert [mark.side for mark in laws] == ["left", "right"]
 
 

@@ -92,7 +92,7 @@ def test_rows_of_ones_own_have_precedence_and_may_be_of_any_kind(tmp_path):
         ("NU 12345", None, "must be a known cylindrical roller bearing"),
         ("NU 206", "", "geometries = 'own.csv' must be a comma-separated table of designation, kind, d"),
         ("NU 206", "a,b\n1,2\n", "must be a comma-separated table"),
-        ("NU 206", HEAD + "NU 206,,30\n", "must have as many values in each row as in its head"),
+        ("NU 206", HEAD + "NU 206,,30\n", "must have as many values in each row as in its header"),
         ("X 1", HEAD + "X1,,30,62,16,44kN,ten,,,,,,me\n", "C0 = 'ten' must"),
         ("X 1", HEAD + "X1,,30,62,16,44kN,36kN,,,70,,,me\n", "C0 = 36000.0 must be that of rollers which fit"),
         ("X1-", HEAD + "X12,,30,62,16,44kN,36kN,,,,,,me\n", "such as X12, NU 206"),

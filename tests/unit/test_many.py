@@ -169,7 +169,7 @@ EDGED = nh.Contact(
     [
         (CROWNED, 41, [2e3, 3e6], [1], "The half-width"),
         (THIN, 41, [2e3, 10e3], [1], "The depth of body b is only 2.59 half-widths"),
-        (EDGED, None, [5e3, 10e3], [0, 1], "The largest pressure is at a corner of the profile"),
+        (EDGED, None, [5e3, 10e3], [0, 1], "The maximum pressure is at a corner of the profile"),
     ],
     ids=["wide", "thin", "edged"],
 )

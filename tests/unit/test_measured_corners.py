@@ -129,7 +129,7 @@ def test_a_trace_without_corners_is_prepared_as_before():
 
 def test_a_coarse_corner_is_kept_and_warned_of():
     measured = prepare(trace(step=0.1, ends=(-9.8, 9.8)))
-    told = [sentence for sentence in measured.warnings if "points only" in sentence]
+    told = [sentence for sentence in measured.warnings if "has only" in sentence]
     assert len(told) == 2
     assert "too few to be smoothed" in told[0]
     assert measured.interpolation == "pchip"

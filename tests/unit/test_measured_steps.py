@@ -59,7 +59,7 @@ def test_a_low_step_neither_ends_the_land_nor_goes_unsaid(noise, at, height):
     assert_allclose(measured.states[1].numbers["tilt"], 0.0, atol=5e-5)
     sentences = [sentence for sentence in measured.warnings if "steps by" in sentence]
     assert len(sentences) == 1
-    assert "both sides were taken to be one body" in sentences[0]
+    assert "both sides were taken for one body" in sentences[0]
     (found,) = steps_in(stepped)
     # The ends of the chords beside it lie half of a chord away, on the crown.
     assert found.y == pytest.approx(at, abs=0.01)
@@ -72,7 +72,7 @@ def test_a_high_step_ends_the_land_and_is_said():
     assert land(stepped)[1] < 2.0
     (found,) = steps_in(stepped)
     assert not found.within
-    assert "steps by 50 µm at 2.001 mm in the file; what lies beyond it was taken to be another body" in " ".join(
+    assert "steps by 50 µm at 2.001 mm in the file; the part beyond it was taken for another body" in " ".join(
         prepare(stepped).warnings
     )
 

@@ -123,10 +123,10 @@ load.tilt = []
         sorted(said),
         (
             "Unknown key over.load.laod. Did you mean over.load.load?",
-            "over.body.a.length = 'normal(20 mm, 10 mm)' must stay within what the case allows (at -40.000 mm: ",
+            "over.body.a.length = 'normal(20 mm, 10 mm)' must be valid in the case (at -40.000 mm: ",
             "over.body.a.material = [5.0] must be a word, or true or false",
             "over.body.a.profile = [[{'kind': 'straight'}]] must be a word, or true or false",
-            "over.body.b.material = ['steel', 'stele'] must stay within what the case allows (at stele: ",
+            "over.body.b.material = ['steel', 'stele'] must be valid in the case (at stele: ",
             "over.load.tilt = [] must hold values",
         ),
         strict=True,

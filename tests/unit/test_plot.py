@@ -114,9 +114,9 @@ class TestPressure:
     def test_singular_ends_have_exponent_and_strength(self, ax):
         solution = solved("straight")
         plot.pressure(solution, ax)
-        low, high = (text for text in ax.texts if "no limit" in text.get_text())
+        low, high = (text for text in ax.texts if "unbounded" in text.get_text())
         for text, end in zip((low, high), solution.edge_pressure, strict=True):
-            expected = f"no limit, p ∼ K / s$^{{0.226}}$\nK = {format_digits(end.strength, 4)} MPa mm$^{{0.226}}$"
+            expected = f"unbounded, p ∼ K / s$^{{0.226}}$\nK = {format_digits(end.strength, 4)} MPa mm$^{{0.226}}$"
             assert text.get_text() == expected
         # Each stands on the inner side of its end.
         assert (low.get_ha(), high.get_ha()) == ("left", "right")

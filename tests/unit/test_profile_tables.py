@@ -166,7 +166,7 @@ def test_nonsense_is_refused_once_and_at_its_key(keys, expected):
         (
             "kind = 'crown', drop = 0.02",
             "diameter = 16",
-            ["at must be given: give the place of the drop in mm, becaus"],
+            ["at must be given: give the position of the drop in mm, becaus"],
         ),
         ("kind = 'crown', drop = 0.02", "diameter = 16\nlength = -20", ["body.a.length = -20.0 must be positive: "]),
         ("kind = 'crown', drop = 0.02", ROLLER + "\ncorner_radius = 11", ["body.a.length = 20.0 must leave a land: "]),

@@ -197,7 +197,7 @@ def test_a_directory_in_use_is_refused(tmp_path):
     tried = []
 
     def meanwhile(_):
-        with pytest.raises(nh.InputError, match="a study that is under way uses it") as caught:
+        with pytest.raises(nh.InputError, match="a running study uses it") as caught:
             nh.sweep(CASE, over={"load.load": [5e3, 6e3]}, quantities=("approach",), out=tmp_path)
         tried.append(caught.value)
 

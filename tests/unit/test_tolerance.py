@@ -216,7 +216,7 @@ def test_limits_are_counted_of_what_is_drawn():
     assert load.normal_fraction == pytest.approx(0.0668072, abs=0.005)
     assert (life.quantity, life.beyond) == ("relative_life", 0)
     assert found.verdict.level is Level.NOT_MET
-    assert found.verdict.sentence == f"Of 400 samples {load.beyond} are beyond the limit of the load, at most 21.5 kN."
+    assert found.verdict.sentence == f"{load.beyond} of 400 samples are beyond the limit of the load, at most 21.5 kN."
 
 
 @pytest.mark.parametrize(

@@ -373,10 +373,10 @@ def test_the_step_goes_with_numbers_of_points_and_with_no_positions():
 
 
 ASKED_OF_HEIGHTS = {
-    "no step": ("z (um)\n", r"must say how far apart its points are .*: give step, such as"),
+    "no step": ("z (um)\n", r"must state the spacing of its points .*: give step, such as"),
     "a first number that may be it": (
         "z (um)\n900\n",
-        r"must say .* \(there is one number .*; the first, 900, may be it\)",
+        r"must state .* \(there is one number .*; the first, 900, may be it\)",
     ),
     "step without a unit": ("spacing: 250\nz (um)\n", r"must state the unit of its positions \(in mm the line"),
     "cut off": ("Number of points: 7\nspacing: 250 um\nz (um)\n", r"must hold the 7 heights stated"),
@@ -617,7 +617,7 @@ DAMAGED = {
     "workbook cut off": (workbook()[:-99], r"must be an intact workbook \(file is not a zip file\): save it as CSV"),
     "workbook of words": (workbook(["a", "b"]), r"must hold two columns of numbers"),
     "three columns": (lines("{0};{1};0"), r"must hold two columns, or have two of its 3 chosen: give"),
-    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must say how far apart its points are \(there is one number per line"),
+    "one column": (b"1\n2\n3\n4\n5\n6\n", r"must state the spacing of its points \(there is one number per line"),
     "nothing measured": (b"nan nan\n" * 9, r"must hold two columns of numbers"),
     "no height measured": (b"".join(b"%d nan\n" % k for k in range(9)), r"must hold measured points"),
     "one position": (b"1 2\n1 3\n1 4\n1 5\n1 6\n", r"must hold at least 5 positions \(there is only one\)"),

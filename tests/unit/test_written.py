@@ -158,7 +158,7 @@ class Own(Profile):
 @pytest.mark.parametrize(
     ("case", "sentence"),
     [
-        (made(Own()), r"body\.a\.profile = 'Own' must be from the catalogue to go into a case file: tabulate it"),
+        (made(Own()), r"body\.a\.profile = 'Own' must be from the catalogue to be written to a case file: tabulate it"),
     ],
 )
 def test_what_no_case_file_has_is_refused_and_nothing_is_left_behind(case, sentence, tmp_path):

@@ -1,4 +1,4 @@
-"""Strips and plane grid on one case: how much they differ, what each costs, and where they differ.
+"""Strips and plane grid on one case: their differences, the places of these, and their run times.
 
 The strips assume a semi-ellipse or a parabola for the pressure across the contact; the plane grid assumes nothing.
 Where both agree, the shape was right.

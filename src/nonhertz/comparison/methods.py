@@ -44,7 +44,7 @@ def compare(
     contact : Contact
         The two bodies.
     approach, load, tilt, moment : float, optional
-        What is prescribed, as in `nonhertz.solve`.
+        Prescribed quantities, as in `nonhertz.solve`.
     cells : tuple of int, optional
         Number of cells (across, along) of the plane grid, as in `nonhertz.patch.solve`.
     strips : int or array_like or "auto", optional
@@ -59,7 +59,7 @@ def compare(
     Returns
     -------
     Comparison
-        With the solutions, which carry their warnings; none are issued here.
+        Comparison with the solutions, which contain their warnings; none are issued here.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Results of strips and plane grid side by side, and three stations at which to look across the contact."""
+"""Results of strips and plane grid side by side, and three stations for the comparison across the contact."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from nonhertz.result.solution import Solution
 LARGEST = "largest difference in MPa"
 """Why the second station was chosen."""
 ROUNDING = 1e-5  # of the load times the farthest strip: a smaller moment counts as zero by symmetry
-SAME = 1e-3  # of a pressure: equal up to this, since neither strips nor cells lie symmetrically
-NEAREST = 4  # values that a cubic goes through
+SAME = 1e-3  # of a pressure: equal up to this, since strips and cells are not symmetric
+NEAREST = 4  # number of values through which a cubic goes
 NEAR = 0.25  # of a half-width
 ALIKE = 1e-3  # relative difference up to which two line loads count as equal
 
 
 def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tuple[ComparedQuantity, ...]:
-    """Return approach, tilt, load, moment, the middle of the contact, the largest pressure and the ends.
+    """Return approach, tilt, load, moment, the values in the middle, the maximum pressure and the ends.
 
     Parameters
     ----------
     semi, parabola : Solution
-        On semi-elliptic and on parabolic strips.
+        Solutions on semi-elliptic and on parabolic strips.
     patch : PatchSolution
-        On the plane grid.
+        Solution on the plane grid.
     """
     at, (low, high) = centre(semi), (semi.contact_y[0][0], semi.contact_y[-1][1])
     across = finding("cells", "cells {width:.2g} across", width=mm(patch.dx))
@@ -64,11 +64,11 @@ def quantities(semi: Solution, parabola: Solution, patch: PatchSolution) -> tupl
 
 
 def _without_limit(semi: Solution) -> Finding | None:
-    """Return where the largest pressure is not looked for, or has no limit."""
+    """Return where the maximum pressure is not searched, or is unbounded."""
     if semi.singular_ends:
-        away = "a half-width and more from {ends}, where it has no limit"
+        away = "more than a half-width from {ends}, where it is unbounded"
         return finding("away-from-ends", away, ends=ends_in_words(semi.singular_ends))
-    return Finding.from_text("at a corner of the profile, where it has no limit") if semi.peaks_at_corner else None
+    return Finding.from_text("at a corner of the profile, where it is unbounded") if semi.peaks_at_corner else None
 
 
 def centre(semi: Solution) -> float:
@@ -91,9 +91,9 @@ def _at(at: float, y: Array, values: Array) -> float:
 
 
 def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[float, float]:
-    """Return the largest pressure, and of all positions that have it the one nearest to ``near``; NaN without contact.
+    """Return the maximum pressure, and the position nearest to ``near`` at which it occurs; NaN without contact.
 
-    For all methods, the half-width next to singular ends, as found by semi-elliptic strips, is left out.
+    For all methods, the half-width next to singular ends by semi-elliptic strips is left out.
     """
     half_width = np.where(one.centre_pressure > 0.0, np.interp(one.y, semi.y, semi.half_width), 0.0)
     places, pressures, _ = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
@@ -110,8 +110,8 @@ def stations(semi: Solution, patch: PatchSolution) -> tuple[Station, Station, St
     The middle is y = 0, or the middle of the contact if that is not in contact, or where the line load is largest if
     neither is. The more loaded end is the one with the larger line load a half-width inside it; the station is a
     quarter of the largest half-width from it, and at least two cells. The difference is that of the pressures in MPa of
-    semi-elliptic strips, more than a half-width from ends at which the pressure has no limit, a strip and two cells
-    from where the contact ends, and a half-width (or an eighth of a short contact) from the other two stations.
+    semi-elliptic strips, more than a half-width from singular ends, a strip and two cells from where the contact ends,
+    and a half-width (or an eighth of a short contact) from the other two stations.
     """
     middle, end = centre(semi), _near_end(semi, patch)
     low, high = semi.contact_y[0][0], semi.contact_y[-1][1]
@@ -134,6 +134,6 @@ def _near_end(semi: Solution, patch: PatchSolution) -> float:
     inwards = min(widest, 0.25 * (high - low))
     at_low, at_high = np.interp([low + inwards, high - inwards], semi.y, semi.line_load)
     step = min(max(NEAR * widest, 2.0 * patch.dy), 0.125 * (high - low))
-    # Where both are alike, as in a contact that tilt only shifts, it is the end that the tilt presses down.
+    # If both are equal, as in a contact that tilt only shifts, it is the end that the tilt loads.
     alike = abs(at_low - at_high) <= ALIKE * at_high
     return float(low + step if (semi.tilt < 0.0 if alike else at_low > at_high) else high - step)

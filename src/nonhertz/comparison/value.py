@@ -1,4 +1,4 @@
-"""The result of a comparison: the three solutions and how they differ."""
+"""The result of a comparison: the three solutions and their differences."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ class ComparedQuantity:
     Attributes
     ----------
     what : str
-        What it is, in words.
+        Name of the quantity.
     unit : str
         Its unit.
     patch, semi_elliptic, parabolic : float
-        Values by the plane grid and by strips of either element; NaN where there is none.
+        Values by the plane grid and by strips of both elements; NaN if there is none.
     absolute : bool
         Whether differences are in ``unit``, as for positions; else relative to ``patch``.
     remark : Finding or None
-        What to know about it.
+        A remark.
     at : float or None
-        At which y it is [mm]; None where it is of the whole contact.
+        Its position y [mm]; None for a quantity of the whole contact.
     """
 
     what: str
@@ -56,12 +56,12 @@ class ComparedQuantity:
 
     @property
     def name(self) -> str:
-        """What it is, and where."""
+        """Name and position."""
         return self.what if self.at is None else f"{self.what} at y = {mm(self.at):.5g}"
 
     @property
     def amount(self) -> Amount:
-        """The values by the plane grid, by semi-elliptic and by parabolic strips, as people read them."""
+        """The values by the plane grid, by semi-elliptic and by parabolic strips, for display."""
         values = self.patch, self.semi_elliptic, self.parabolic
         return amount(values, self.unit, _READ.get(self.what, ""))
 
@@ -105,7 +105,7 @@ class Stretch:
     largest : float
         The largest difference there, relative to the plane grid; infinite where the plane grid has no contact.
     at : float
-        Centre of the strip that has it [mm].
+        Centre of the strip with this difference [mm].
     """
 
     element: str
@@ -117,14 +117,14 @@ class Stretch:
 
 @dataclass(frozen=True)
 class Station:
-    """A station at which to look across the contact.
+    """A station at which the pressure across is compared.
 
     Attributes
     ----------
     y : float
         Position [mm].
     reason : str
-        Why it was chosen.
+        Reason for its choice.
     """
 
     y: float
@@ -146,7 +146,7 @@ class Comparison(HasHtml):
     quantities : tuple of ComparedQuantity
         Results side by side.
     stations : tuple of three Station
-        Where to look across the contact.
+        Stations at which the pressure across is compared.
     """
 
     semi_elliptic: Solution
@@ -161,7 +161,7 @@ class Comparison(HasHtml):
         strips = [f"{solution.strips} {solution.element.name} strips" for solution in self.strips]
         sentences = [f"plane grid of {across} x {along} cells; {' and '.join(strips)}"]
         for quantity in map(self.quantity, ("approach", "load", "maximum pressure")):
-            if any(map(percent, quantity.differences)):  # of what was given there is none
+            if any(map(percent, quantity.differences)):  # given quantities have none
                 differences = zip(self.strips, map(percent, quantity.differences), strict=True)
                 by = ", ".join(f"{solution.element.name} {words or '0'}" for solution, words in differences)
                 sentences.append(f"{quantity.name} {replace(quantity.amount, values=(quantity.patch,))}, {by}")
@@ -215,15 +215,15 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
     Parameters
     ----------
     solution : Solution
-        On strips; its pressure is p0 = 2 q / (pi b), for a parabola too.
+        Solution on strips; its pressure is p0 = 2 q / (pi b), also for a parabola.
     patch : PatchSolution
-        Its pressure on x = 0, linear between cells.
+        Solution on the plane grid; its pressure at x = 0 is linear between cells.
 
     Returns
     -------
     ndarray, shape (strips,)
-        NaN where neither has contact, infinite where only the strip has, and -1 where only the plane grid has it, in
-        the cell there and in both adjacent ones: on the grid a contact may end up to a cell too late.
+        NaN where neither has contact, infinite where only the strip has contact, and -1 where only the plane grid has,
+        in the cell there and in both adjacent ones: on the grid a contact may end up to one cell too late.
     """
     expected = np.interp(solution.y, patch.y, patch.centre_pressure)
     pressure = solution.centre_pressure
@@ -235,7 +235,7 @@ def differences(solution: Solution, patch: PatchSolution) -> Array:
 
 
 def _stretches(solution: Solution, relative: Array) -> Iterator[Stretch]:
-    """Yield the strips that differ, together where less than the largest half-width apart."""
+    """Yield stretches of strips that differ, joined if less than the largest half-width apart."""
     differ = np.flatnonzero(np.abs(np.nan_to_num(relative, nan=0.0)) > NOTABLE)
     apart = solution.edges[differ[1:]] - solution.edges[differ[:-1] + 1] > solution.max_half_width
     for strips in np.split(differ, np.flatnonzero(apart) + 1) if differ.size else ():

@@ -39,6 +39,6 @@ def loaded_middle(solution: BearingSolution) -> float:
 
 def around(degrees: Array, middle: float) -> Array:
     """Return angles within half a turn of the middle."""
-    # A roller exactly opposite is on the right; where it is written in binary must not decide.
+    # A roller exactly opposite is on the right, regardless of rounding.
     turned: Array = middle + 180.0 - np.mod(np.round(180.0 - (degrees - middle), 9), 360.0)
     return turned

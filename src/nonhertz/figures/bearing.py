@@ -27,13 +27,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ON_A_GRID = 1.01
-"""Over the largest pressure: interpolation on another grid than that of the strips is not beyond it, a sharp end is."""
+"""Ratio to the maximum pressure up to which interpolation from strips to the map does not count as beyond it."""
 
 
 def figures_of(
     solution: BearingSolution, maps: BearingMaps | None = None, films: Films | None = None
 ) -> dict[str, Figure]:
-    """Return all figures of a loaded bearing by the names of their files; those that `bearing_figures` has."""
+    """Return all figures of a loaded bearing by the names of their files; see `nonhertz.plot.bearing_figures`."""
     drawn = {"loads": roller_loads(solution)}
     if solution.method == "strips" and solution.load.any():
         drawn |= {
@@ -47,7 +47,7 @@ def figures_of(
 
 
 def pressure_maps(solution: BearingSolution, points: int = 401) -> Figure:
-    """Return the pressure of all rollers, a panel for each row and ring, which `nonhertz.plot.bearing_pressure` draws.
+    """Return the pressure of all rollers, a panel for each row and ring; see `nonhertz.plot.bearing_pressure`.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
 Array = NDArray[np.float64]
 
 BEYOND, ROOM = 1.6, 1.12
-"""Upper end of an axis over the largest pressure: where that has no limit at an end, and where it has one."""
+"""Ratio of the upper end of an axis to the maximum pressure: with an unbounded pressure at an end, and without."""
 LARGEST, REACH = 1.0, 1.4
 """Differences beyond which they stand at the end of their axis, and its ends over these."""
 CROWDED = 0.025
@@ -38,7 +38,7 @@ SHAPES: dict[str, dict[str, Any]] = {
 
 
 def compared_methods(comparison: Comparison) -> Figure:
-    """Return what `nonhertz.plot.comparison` draws.
+    """Return the figure of `nonhertz.plot.comparison`.
 
     Differences are relative to the plane grid; those over 100 %, and infinite ones, stand at 100 %.
     """

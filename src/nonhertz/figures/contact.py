@@ -43,25 +43,25 @@ from nonhertz.result.status import Status
 from nonhertz.strip.element import PARABOLIC
 
 BEYOND = 1.6
-"""Upper end of an axis over the largest pressure, where the pressure has no limit at an end: its spike is cut."""
+"""Ratio of the upper end of an axis to the maximum pressure if the pressure is unbounded at an end."""
 ROOM, ROOM_ABOVE = 1.12, 1.32
-"""Upper end of an axis over the largest value, without and with words above the curve."""
+"""Ratio of the upper end of an axis to the largest value, without and with words above the curve."""
 REACH = 1.15
 """Ends of an axis across over the largest half-width."""
 ROUNDING = 1e-9
 """Relative, by which a pressure may exceed the last colour."""
 DIMENSION = 0.92
-"""Of the height of the axes, where the length in contact is drawn."""
+"""Fraction of the height of the axes for the length in contact."""
 SINGULAR = 0.72
-"""Of the height of the axes, where words on a pressure without limit stand."""
+"""Fraction of the height of the axes for words on an unbounded pressure."""
 
 
 def pressure(solution: Solution) -> Figure:
     """Return the pressure on the centre line along a contact and, below it, the half-width.
 
     Lines run through the centres of the strips to the ends of the contact; the pale steps are the strips themselves.
-    Where the pressure has no limit the axis is cut, with exponent and strength at that end, and the largest pressure
-    is that more than a half-width from such ends.
+    Where the pressure is unbounded the axis is cut, with exponent and strength at that end; the maximum pressure is
+    that more than a half-width from such ends.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def pressure(solution: Solution) -> Figure:
         Axis("Pressure p₀", "p₀", "MPa", range=(0.0, top), cut=cut),
         marks,
         f"Pressure on the centre line along y: largest {mpa(solution.max_pressure):4} {where_largest(solution, 3)}.",
-        "axis cut: no limit at an end" if cut else "",
+        "axis cut: unbounded at an end" if cut else "",
         236,
     )
     widest = float(solution.half_width.max())
@@ -102,7 +102,7 @@ def pressure(solution: Solution) -> Figure:
     )
     caption = "Pressure on the centre line and half-width along the contact."
     if cut:
-        caption += " Where the pressure has no limit the axis is cut, with exponent and strength beside it."
+        caption += " Where the pressure is unbounded the axis is cut, with exponent and strength beside it."
     return Figure(_along(solution), (upper, lower), conditions(solution), caption)
 
 
@@ -190,7 +190,7 @@ def figures_of(solution: Solution) -> dict[str, Figure]:
 
 
 def conditions(solution: Solution) -> str:
-    """Return the line that says what was solved: load, tilt, and whatever is out of the ordinary."""
+    """Return the line on what was solved: load, tilt, and anything unusual."""
     words = [f"Load {newton(solution.load):.4g}", f"tilt {mrad(solution.tilt):.4g}".replace("-", "−")]
     if solution.element.name != "semi-elliptic":
         words.append(f"{solution.element.name} strips")
@@ -210,7 +210,7 @@ def ends_of_bodies(solution: Solution, *, named: bool = True) -> Iterator[Mark]:
 
 
 def _contact(solution: Solution, top: float) -> Iterator[Mark]:
-    """Yield a dimension line for every interval in contact; the first says where they are."""
+    """Yield a dimension line for every interval in contact; the first one names their positions."""
     intervals = solution.contact_y
     several = " and ".join(f"{mm(*ends, between=' to '):4}" for ends in intervals[:2])
     words = f"contact {several}"
@@ -222,7 +222,7 @@ def _contact(solution: Solution, top: float) -> Iterator[Mark]:
 
 
 def _largest(solution: Solution) -> Iterator[Mark]:
-    """Yield the largest pressure, and those where it rises again at the end of a land."""
+    """Yield the maximum pressure, and peaks at the ends of lands."""
     places, largest = places_of_largest(solution), solution.max_pressure
     peaks = land_end_peaks(solution)
     at_land_end = any(abs(y - place) < solution.max_half_width for y, _ in peaks for place in places)
@@ -238,7 +238,7 @@ def _largest(solution: Solution) -> Iterator[Mark]:
 
 
 def land_ends(solution: Solution, colour: Colour = "ink") -> Iterator[Mark]:
-    """Yield words where the pressure rises again towards the end of a land."""
+    """Yield words at peaks of the pressure at the ends of lands."""
     middle = 0.5 * sum(axial_range(solution))
     for y, value in land_end_peaks(solution):
         side: Side = "left" if y < middle else "right"
@@ -246,21 +246,21 @@ def land_ends(solution: Solution, colour: Colour = "ink") -> Iterator[Mark]:
 
 
 def no_limits(solutions: Sequence[Solution], at: float, colours: Sequence[Colour] = ()) -> Iterator[Mark]:
-    """Yield "no limit", at that value, at every end where a pressure has none; in the colour of a single one."""
+    """Yield "unbounded", at that value, at every end where a pressure is; in the colour of a single one."""
     ends: dict[tuple[float, bool], list[Colour]] = {}
     inks: Sequence[Colour] = colours or ["ink"] * len(solutions)
     for solution, colour in zip(solutions, inks, strict=True):
         for edge in unlimited_ends(solution):
             ends.setdefault((round(edge.y, 6), edge is solution.edge_pressure[0]), []).append(colour)
     for (y, low), several in ends.items():
-        yield Words(y, at, "no limit", "left" if low else "right", colour=several[0] if len(several) == 1 else "ink")
+        yield Words(y, at, "unbounded", "left" if low else "right", colour=several[0] if len(several) == 1 else "ink")
 
 
 def unlimited_pressure(solution: Solution, edge: EdgePressure, top: float) -> Mark:
-    """Return how the pressure grows towards an end where it has no limit, clear of the curve that climbs there."""
-    words = "no limit at a corner"
+    """Return words on the growth of the pressure towards an end where it is unbounded, clear of the curve."""
+    words = "unbounded at a corner"
     if edge.law:
-        words = f"no limit, p ∼ K / s^{edge.exponent:.3g}"
+        words = f"unbounded, p ∼ K / s^{edge.exponent:.3g}"
         if edge.strength is not None:
             words += f"\nK = {EndStrength(edge.strength, edge.exponent)}"
     below = solution.y[solution.centre_pressure < SINGULAR * top]

@@ -1,4 +1,4 @@
-"""Figure of what a dent that is rolled over does to its surroundings."""
+"""Figure of the surroundings of a dent that is rolled over."""
 
 from __future__ import annotations
 

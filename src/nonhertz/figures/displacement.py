@@ -1,4 +1,4 @@
-"""How far the inner ring moves under more and less than a bearing's load."""
+"""The displacement of the inner ring under more and less than a bearing's load."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ROOM = 1.08  # upper end of the axis over the largest displacement
 
 
 def displacement_against_load(solution: BearingSolution, maps: BearingMaps | None = None) -> Figure:
-    """Return what `nonhertz.plot.displacement_against_load` draws."""
+    """Return the figure of `nonhertz.plot.displacement_against_load`."""
     from scipy.interpolate import CubicHermiteSpline
 
     ways = directions(solution)
@@ -96,7 +96,7 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
 
 
 def _forces(solution: BearingSolution) -> dict[str, Any]:
-    """Return the axial and the radial force on the inner ring, as far as its rows bear them."""
+    """Return the axial and the radial force on the inner ring, if its rows support them."""
     rows = [row.bearing for row in solution.bearing.rows]
     least = NO_FORCE * float(solution.load.sum())
     force = np.where(np.abs(solution.force[:3]) > least, solution.force[:3], 0.0)
@@ -105,7 +105,7 @@ def _forces(solution: BearingSolution) -> dict[str, Any]:
 
 
 def _speed(solution: BearingSolution) -> float:
-    """Return the speed of the inner ring [1/min] from what it loads a roller with, which grows with its square."""
+    """Return the speed of the inner ring [1/min] from the centrifugal load on a roller, which grows with its square."""
     if not solution.roller_load.any():
         return 0.0
     at_one = solution.bearing.rows[0].bearing.load_by_speed(1.0)[1]
@@ -125,7 +125,7 @@ def _one(solution: BearingSolution, forces: dict[str, Any], how: dict[str, Any])
 
 
 def _slope(stiffness: Array, force: Array) -> Array:
-    """Return how far the ring would move under its forces along its tangent [mm], with its rotation held."""
+    """Return the displacement of the ring under its forces by its tangent stiffness [mm], with its rotation fixed."""
     stiffness, force = stiffness[:3, :3], force[:3]
     supported = np.diag(stiffness) > 1e-12 * float(np.max(np.diag(stiffness)))
     slope = np.zeros(3)

@@ -1,4 +1,4 @@
-"""Figures of the films of oil in a bearing: over the load zone, and along the roller with the least one."""
+"""Figures of the oil films in a bearing: over the load zone, and along the roller with the minimum film."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _LOADED = 0.02
 
 
 def film_figures(films: Films) -> dict[str, Figure]:
-    """Return the least film of all rollers at both rings over their angles, and the film along one; none without load.
+    """Return the minimum film of all rollers at both rings over angle, and the film along one; none without load.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def film_figures(films: Films) -> dict[str, Figure]:
     Returns
     -------
     dict of str to Figure
-        ``"film"``, with a panel for each row, and ``"film-along"``, of the roller with the least one.
+        ``"film"``, with a panel for each row, and ``"film-along"``, of the roller with the minimum film.
     """
     if films.least is None:
         return {}
@@ -42,8 +42,8 @@ def film_figures(films: Films) -> dict[str, Figure]:
     over = Figure(
         turn_axis(middle),
         [_over_angle(films, least, row, middle) for row in rows],
-        f"least film {um(films.least_film[films.least]):.3g}",
-        "Least film of oil of the rollers between both rings, over the angle from the first roller.",
+        f"minimum film {um(films.least_film[films.least]):.3g}",
+        "Minimum oil film of the rollers at both rings, over the angle from the first roller.",
     )
     return {"film": over, "film-along": _along(films, films.least[0])}
 
@@ -59,12 +59,12 @@ def _over_angle(films: Films, least: NDArray[np.float64], row: int, middle: floa
             Line(angle[order], film, name=f"{ring} ring", **STYLES[ring]),
             Points(angle[order][np.isfinite(film)], film[np.isfinite(film)], colour=STYLES[ring]["colour"]),
         ]
-    heading = "Least film" + (f", row {row + 1}" if len(films.solution.bearing.rows) > 1 else "")
+    heading = "Minimum film" + (f", row {row + 1}" if len(films.solution.bearing.rows) > 1 else "")
     top = float(np.nanmax(least))
     return Panel(
         f"film-{row + 1}",
         heading,
-        Axis("Least film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
+        Axis("Minimum film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
         [*marks, *_rough(films)],
         f"{heading} of every roller over its angle, from {um(float(np.nanmin(least))):.3g} to {um(top):.3g}.",
         _words_of_roughness(films),
@@ -80,25 +80,25 @@ def _along(films: Films, roller: int) -> Figure:
         marks += _lines(film, ring)
     top = max(float(np.nanmax(mark.y)) for mark in marks if isinstance(mark, Line))
     place = films.solution.place_of(roller)
-    what = f"{place[0].upper()}{place[1:]}, with the least film"
+    what = f"{place[0].upper()}{place[1:]}, with the minimum film"
     panel = Panel(
         "film-along",
         "Film along the roller",
         Axis("Film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
         [*marks, *_rough(films)],
-        f"Least and central film of {place} along it.",
+        f"Minimum and central film along {place}.",
         _words_of_roughness(films),
         200,
     )
     along = Axis("Axial position y", "y", "mm", range=(-half, half))
-    return Figure(along, [panel], what, f"{what}: least and central film of oil along it, at both rings.")
+    return Figure(along, [panel], what, f"{what}: minimum and central oil film along it, at both rings.")
 
 
 def _lines(film: ContactFilm, ring: str) -> Iterator[Line]:
-    # Towards the ends, where the load runs out, the formulas of lines say too much.
+    # Towards the ends, where the load runs out, the formulas for line contacts overestimate the film.
     inside = film.line_load >= _LOADED * film.line_load.max()
     colour = STYLES[ring]["colour"]
-    yield Line(film.y, np.where(inside, film.least_film, np.nan), name=f"{ring} ring, least", colour=colour)
+    yield Line(film.y, np.where(inside, film.least_film, np.nan), name=f"{ring} ring, minimum", colour=colour)
     central = np.where(inside, film.central_film, np.nan)
     yield Line(film.y, central, name=f"{ring} ring, central", colour=colour, dash="dashed")
 

@@ -1,4 +1,4 @@
-"""What acts on the inner ring of a loaded bearing, in directions and in words."""
+"""The forces on the inner ring of a loaded bearing, as directions and in words."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NO_FORCE = 1e-9  # of the sum of the rollers' loads
 
 
 def directions(solution: BearingSolution) -> dict[str, Array]:
-    """Return the unit vectors of the radial and of the axial force on the ring, of those that act."""
+    """Return the unit vectors of the radial and the axial force on the ring, if they act."""
     force = solution.force[:3]
     least = NO_FORCE * float(solution.load.sum())
     units = {}
@@ -29,7 +29,7 @@ def directions(solution: BearingSolution) -> dict[str, Array]:
 
 
 def conditions(solution: BearingSolution) -> str:
-    """Return what was solved: the bearing, and what acts on its inner ring with the method."""
+    """Return what was solved: the bearing, the forces on its inner ring, and the method."""
     rows = [row.bearing for row in solution.bearing.rows]
     same = len({(type(bearing), bearing.rollers) for bearing in rows}) == 1
     kinds = [f"{bearing.kind.capitalize()}, {bearing.rollers} rollers" for bearing in (rows[:1] if same else rows)]

@@ -1,4 +1,4 @@
-"""Figure of where along a contact its bodies fatigue: damage per length by several models."""
+"""Figure of the damage per length along a contact by several fatigue models."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ FAINTEST = 1e-2
 """Of the ideal: lower end of a logarithmic axis."""
 ROOM, LOG_ROOM = 1.1, 2.0
 NO_LIMIT = 0.8
-"""Of the upper end of the axis, where it is said of an end that the pressure has no limit."""
+"""Fraction of the upper end of the axis for words on an end with unbounded pressure."""
 ALIKE = 0.05
-"""Of the life: if the bodies differ by less, only one is drawn."""
+"""Relative difference of lives below which only one body is drawn."""
 HIGH, HIGH_OF_TWO = 260, 200
 
 
@@ -38,7 +38,7 @@ def life_densities(
     lives: Mapping[BodyName, Sequence[Life]],
     compared: Mapping[BodyName, Sequence[Life]] | None = None,
 ) -> Figure:
-    """Return what `nonhertz.plot.life_figure` draws: a panel per body, or only b if their lives are within 5 %.
+    """Return the figure of `nonhertz.plot.life_figure`: a panel per body, or only b if their lives are within 5 %.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def life_densities(
     lives : mapping of str to sequence of Life
         One life per model for each body that is to be shown.
     compared : mapping of str to sequence of Life, optional
-        Those of another case, of which the first is drawn.
+        Lives of another case, of which the first is drawn.
     """
     other = {body: several[:1] for body, several in (compared or {}).items()}
     alone = len(lives) == len(BODIES) and _alike(lives, other)
@@ -58,12 +58,12 @@ def life_densities(
     panels[0] = replace(panels[0], remark=_remark(lives, alone))
     lows, highs = np.transpose([axial_range(solution) for solution, _ in spectrum])
     along = Axis("Axial position y", "y", "mm", range=(float(lows.min()), float(highs.max())))
-    caption = "Where along the contact the bodies fatigue: damage per length over its mean under the ideal pressure."
+    caption = "Fatigue along the contact: damage per length over its mean under the ideal pressure."
     return Figure(along, panels, _solved(spectrum), caption)
 
 
 def _range(lives: Iterable[Life]) -> Range:
-    """Return what of the damage is drawn: down to `FAINTEST`, by ratios, where it is peaked, else from zero."""
+    """Return the range of the damage: logarithmic down to `FAINTEST` if it is peaked, else from zero."""
     finite = np.concatenate([life.density[np.isfinite(life.density)] for life in lives])
     highest = max(1.0, float(finite.max(initial=0.0)))
     return (FAINTEST, LOG_ROOM * highest) if highest > PEAKED else (0.0, ROOM * highest)
@@ -81,7 +81,7 @@ def _panel(
 
 
 def _remark(lives: Mapping[BodyName, Sequence[Life]], alone: bool) -> str:
-    """Return what the damage is, and what a panel alone says of both bodies."""
+    """Return the definition of the damage, and how a single panel stands for both bodies."""
     remark = "damage per length over its mean under the ideal pressure"
     if not alone:
         return remark
@@ -104,13 +104,13 @@ def _line(life: Life, *, other: bool = False) -> Line:
 
 
 def _around(spectrum: Spectrum, lives: Sequence[Life], span: tuple[float, float], peaked: bool) -> Iterator[Mark]:
-    """Yield the ends of the bodies, and words where there is no ideal pressure or one has no limit."""
+    """Yield the ends of the bodies, and words if there is no ideal pressure or the pressure is unbounded."""
     widest = max((solution for solution, _ in spectrum), key=lambda solution: float(np.ptp(axial_range(solution))))
     for end, name in ends_in_sight(widest).items():
         yield Across(end, name, colour="faint", dash="ends")
     low, high = span
     if any(np.isnan(life.reference) for life in lives):
-        words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure to compare with."
+        words = "The bodies can touch over an unlimited length:\nthere is no ideal pressure for comparison."
         yield Words(0.5 * sum(axial_range(widest)), float(np.sqrt(low * high)) if peaked else 0.5 * high, words)
         return
     at = high * (low / high) ** (1.0 - NO_LIMIT) if peaked else NO_LIMIT * high

@@ -20,7 +20,7 @@ TOPS = {1.0: 0.2, 1.5: 0.5, 2.0: 0.5, 3.0: 1.0, 4.0: 1.0, 5.0: 1.0, 6.0: 2.0, 8.
 """Round numbers up to which loads are drawn, the same over much of a drag so that bars grow; and between rings."""
 RINGS: tuple[tuple[str, Colour, Dash], ...] = (("inner", "first", "solid"), ("outer", "second", "dashed"))
 SPOKES = 8
-SLIGHT = 1e-3  # of the largest load, below which loads of neighbours do not decide where numbers are written
+SLIGHT = 1e-3  # of the largest load: smaller loads of neighbours do not affect the position of numbers
 
 
 def roller_loads(solution: BearingSolution) -> Figure:
@@ -78,7 +78,7 @@ def _largest(angle: Array, load: Array) -> str:
 
 
 def _emptiest(angle: Array, load: Array) -> float:
-    """Return the angle between the two neighbours that bear least, the uppermost of such places."""
+    """Return the angle between the two least loaded neighbours, the uppermost of such places."""
     between, pair = angle + math.pi / angle.size, load.sum(axis=1) + np.roll(load.sum(axis=1), -1)
     return float(between[(pair + SLIGHT * float(load.max()) * np.cos(between)).argmin()] if load.any() else math.pi)
 

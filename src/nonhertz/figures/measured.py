@@ -112,7 +112,7 @@ def _ends(after: StepResult) -> Iterator[Across]:
 
 
 def _roughness(after: StepResult) -> Iterator[Panel]:
-    """Yield what smoothing took off, to the scale of the land."""
+    """Yield the roughness that smoothing removed, to the scale of the land."""
     if after.name != "smooth" or after.removed_height is None:
         return
     on_land = after.removed_height[~np.logical_or(*after.points.beyond_land)]
@@ -140,7 +140,7 @@ def _relief(measured: Measured, fit: ProfileFit | None) -> Panel:
 
 
 def _residual(measured: Measured, fit: ProfileFit | None) -> Iterator[Panel]:
-    """Yield what a fitted profile leaves of the relief of the land."""
+    """Yield the residual of a fitted profile on the land."""
     if fit is None:
         return
     points, land = measured.points, measured.points.on_land
@@ -195,7 +195,7 @@ def _along(low: float, high: float) -> Axis:
 
 
 def _read(heights: Range) -> str:
-    """Return the unit in which heights of a range are read; their own if empty."""
+    """Return the unit in which heights of a range are shown; their own if empty."""
     height = abs(heights[1] - heights[0])
     return "" if height > MILLIMETRES_FROM else "um" if height > MICROMETRES_FROM else "nm"
 

@@ -1,4 +1,4 @@
-"""Figures of several cases over each other: what is along contacts, or the rollers around the axes of bearings."""
+"""Figures of several cases over each other: along contacts, or of the rollers around the axes of bearings."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from nonhertz.result.along import axial_range, contact_lines
 from nonhertz.result.solution import Solution
 
 ROOM, BEYOND = 1.08, 1.6
-"""Upper end of an axis over the largest value: usually, and where a pressure has no limit."""
+"""Ratio of the upper end of an axis to the largest value: usually, and with an unbounded pressure."""
 NO_LIMIT = 0.9
-"""Of the height of the axes, where it is said of an end that the pressure has none."""
+"""Fraction of the height of the axes for words on an unbounded pressure."""
 HIGH, LOW = 230, 150
 
 
@@ -72,15 +72,15 @@ def _separations(several: Sequence[tuple[Solution, dict[str, Any]]]) -> Panel:
 
 
 def all_pressed(solutions: Mapping[str, BearingSolution]) -> bool:
-    """Return whether all bearings have pressures, which slices have not."""
+    """Return whether all bearings have pressures, which slices do not have."""
     return all(solution.method == "strips" for solution in solutions.values())
 
 
 def compared_bearings(solutions: Mapping[str, BearingSolution]) -> Figure:
-    """Return the loads of all rollers of bearings by name, and their largest pressures if all have any."""
+    """Return the loads of all rollers of bearings by name, and their maximum pressures if all have any."""
     panels = [_around(solutions, "load", Axis("Load at the inner ring", "load", "N"))]
     if all_pressed(solutions):
-        panels.append(_around(solutions, "max_pressure", Axis("Largest pressure", "p", "MPa")))
+        panels.append(_around(solutions, "max_pressure", Axis("Maximum pressure", "p", "MPa")))
     ticks = tuple((float(angle), f"{angle:g}".replace("-", "−")) for angle in np.arange(-180.0, 181.0, 45.0))
     along = Axis("Angle of the roller [degrees]", "angle", "°", range=(-180.0, 180.0), ticks=ticks)
     what = "Load and maximum pressure" if all_pressed(solutions) else "Load"

@@ -20,7 +20,7 @@ from nonhertz.figures.unrolled import ring_heading
 from nonhertz.figures.value import Axis, Figure, Line, Panel
 from nonhertz.result.along import contact_lines
 
-#: Of the pitch of the rollers and of the largest pressure, how far the back ends of ridges are off their front ends.
+#: Offset of the back ends of ridges from their front ends, over the pitch of the rollers and the maximum pressure.
 ASIDE, ABOVE = 0.85, 0.3
 ROOM = 1.05
 HEIGHT = 130  # pixel

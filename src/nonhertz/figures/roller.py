@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 STYLES: dict[str, dict[str, Any]] = {"inner": {"colour": "first"}, "outer": {"colour": "second", "dash": "dashed"}}
 ROOM, BEYOND = 1.15, 1.6
-"""Upper end of an axis over the largest value, and where the pressure has no limit."""
+"""Ratio of the upper end of an axis to the largest value, and with an unbounded pressure."""
 MARGIN = 0.02
 """Of a roller's length, beyond its ends."""
 AT_ENDS, DEEP, SHALLOWEST = 1.3, 0.2, 1e-3
@@ -49,7 +49,7 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     """Return pressure, line load and relief of a roller at both rings.
 
     By slices there is no pressure, and line loads are steps. The relief is the separation of the undeformed, untilted
-    bodies, cut where it is far larger than what the load presses flat; bars below it are the contacts.
+    bodies, cut where it is far larger than the elastic deformation; bars below it are the contacts.
 
     Parameters
     ----------
@@ -80,12 +80,12 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     reach = half * (1.0 + 2.0 * MARGIN)
     what = place[0].upper() + place[1:] + (", the most loaded" if number == most and loaded else "")
     along = Axis("Axial position y", "y", "mm", range=(-reach, reach))
-    caption = f"{what}: what it bears along its length on both rings, and the relief that it starts from."
+    caption = f"{what}: pressure and line load along it at both rings, and the relief before loading."
     return Figure(along, panels, f"{what}; {conditions(solution)}", caption)
 
 
 def _loaded(solution: BearingSolution, roller: int, ring: str, laminae: int) -> _Loaded | None:
-    """Return what a roller bears at a ring; None if nothing."""
+    """Return the line load of a roller at a ring; None if it is not loaded."""
     if solution.method == "strips":
         contact = solution.contact(roller, ring)
         if contact is None:
@@ -125,8 +125,8 @@ def _pressure(loaded: dict[str, _Loaded], around: Sequence[Mark]) -> Panel:
         "Pressure on the centre line",
         Axis("Pressure p₀", "p₀", "MPa", range=(0.0, top), cut=cut),
         marks,
-        f"Pressure along the roller: {', '.join(words)}." if words else "The roller bears no load.",
-        "axis cut: no limit at an end" if cut else "",
+        f"Pressure along the roller: {', '.join(words)}." if words else "The roller is not loaded.",
+        "axis cut: unbounded at an end" if cut else "",
         190,
     )
 
@@ -144,7 +144,7 @@ def _line_load(solution: BearingSolution, roller: int, loaded: dict[str, _Loaded
         "Line load",
         Axis("Line load q", "q", "N/mm", range=(0.0, ROOM * top or 1.0)),
         [*around, *lines],
-        words if loaded else "The roller bears no load.",
+        words if loaded else "The roller is not loaded.",
         "by slices" if solution.method == "slices" else "",
         120,
     )

@@ -30,9 +30,9 @@ ABOVE = 1.01
 def along_contact(
     solution: Solution, field: Field, largest: Mapping[str, Extreme], station: float | None = None
 ) -> Figure:
-    """Return what `nonhertz.plot.axial_stress` draws.
+    """Return the figure of `nonhertz.plot.axial_stress`.
 
-    Of largest stresses those are marked that are named as in `nonhertz.subsurface.Extremes`; that of von Mises must be
+    The largest stresses given by their names in `nonhertz.subsurface.Extremes` are marked; that of von Mises must be
     among them.
     """
     span = _with_room(solution, field)
@@ -60,7 +60,7 @@ def along_contact(
 
 
 def across_contact(solution: Solution, field: Field, largest: Mapping[str, Extreme]) -> Figure:
-    """Return what `nonhertz.plot.section_stress` draws, with largest stresses as for `along_contact`."""
+    """Return the figure of `nonhertz.plot.section_stress`, with largest stresses as for `along_contact`."""
     x, y = field.x[:, 0], float(field.y[0, 0])
     middle, half_width = (float(number) for number in across_at(solution, np.asarray(y)))
     marks = [
@@ -96,7 +96,7 @@ def _panel(name: str, heading: str, marks: Sequence[Mark], description: str, col
 
 
 def _colours(solution: Solution, field: Field, worst: Extreme) -> Axis:
-    """Return what colours stand for: up to the largest stress, unless that is an artefact of a step between strips."""
+    """Return the axis of colours: up to the largest stress, unless that is an artefact of a step between strips."""
     limit = min(worst.max, element_peak(solution)) or 1.0
     # On the surface itself the stress is also unbounded at a step of the pressure from strip to strip.
     below = field.von_mises[:, field.z[0] > 0.0]

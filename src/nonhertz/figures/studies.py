@@ -1,4 +1,4 @@
-"""Panels of studies: numbers over one input or two, how they are distributed, and what that is due to."""
+"""Panels of studies: numbers over one input or two, distributions, and shares of the variance."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def lines_over(along: Axis, x: Array, lines: Mapping[str, Array], upright: Axis,
 
 
 def map_over(along: Axis, x: Array, upright: Axis, y: Array, values: Array, colours: Axis) -> Panel:
-    """Return numbers, shape (m, n), over two inputs as contours; words in their place where all are alike."""
+    """Return numbers, shape (m, n), over two inputs as contours; words instead if all are equal."""
     span = _span(colours, values)
     words = f"{colours.label} over {_small(along.label)} and {_small(upright.label)}: {span}."
     scales = ((along, x), (upright, y), (colours, values))
@@ -92,7 +92,7 @@ def map_over(along: Axis, x: Array, upright: Axis, y: Array, values: Array, colo
 def distribution(
     axis: Axis, values: Array, quantiles: Mapping[float, Bounds] | None = None, limits: Sequence[float] = ()
 ) -> Panel:
-    """Return how numbers are distributed, with intervals of quantiles by share, and limits.
+    """Return the distribution of numbers, with intervals of quantiles by probability, and limits.
 
     If the largest is more than ten times the smallest, the axis is logarithmic. Else single numbers far beyond the
     others, by as much as those between 1 % and 99 % differ, are counted and not drawn.
@@ -121,7 +121,7 @@ def distribution(
 
 
 def _bins(numbers: Array, *, logarithmic: bool) -> tuple[Array, Array]:
-    """Return those of sorted numbers that are drawn, and the edges of their bins."""
+    """Return the sorted numbers that are drawn, and the edges of their bins."""
     bins = min(MOST_BINS, max(FEWEST_BINS, round(2.0 * numbers.size ** (1.0 / 3.0))))
     if logarithmic:
         return numbers, np.geomspace(numbers[0], numbers[-1], bins + 1)
@@ -132,7 +132,7 @@ def _bins(numbers: Array, *, logarithmic: bool) -> tuple[Array, Array]:
 
 
 def _beyond(axis: Axis, numbers: Array, drawn: Array) -> str:
-    """Return in words which share of sorted numbers lies beyond those that are drawn, and up to where."""
+    """Return in words the share of sorted numbers that are not drawn, and their range."""
     below, above = np.count_nonzero(numbers < drawn[0]), np.count_nonzero(numbers > drawn[-1])
     tails = [("below", below, drawn[0], "down", numbers[0]), ("above", above, drawn[-1], "up", numbers[-1])]
     return "; ".join(
@@ -193,7 +193,7 @@ def _amount(axis: Axis, *values: float) -> str:
 
 
 def _span(axis: Axis, values: Array) -> str:
-    """Return between which numbers values lie, in words."""
+    """Return the range of values in words."""
     finite = values[np.isfinite(values)]
     if not finite.size:
         return "no number"

@@ -1,4 +1,4 @@
-"""What the maps of the pressures of all rollers and their view in perspective have in common."""
+"""The common part of the maps of the pressures of all rollers and of their view in perspective."""
 
 from __future__ import annotations
 

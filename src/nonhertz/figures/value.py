@@ -1,7 +1,7 @@
 """A figure as a value: panels of marks, in units of the program, that matplotlib and the page draw alike.
 
-A result has one function for each of its figures. Who draws knows lines, bands, points and words, and nothing of
-contacts; who does not see has the numbers as a table and the description in words.
+A result has one function for each of its figures. Drawing depends on lines, bands, points and words only, not on
+contacts; for readers who cannot see a figure, there are a table of its numbers and a description in words.
 """
 
 from __future__ import annotations
@@ -28,21 +28,21 @@ SERIES: tuple[tuple[Colour, Dash], ...] = (
     ("first", "solid"), ("second", "dashed"), ("third", "chain"), ("fourth", "dotted"), ("ink", "long"),
     ("fifth", "mixed"),
 )  # fmt: skip
-"""Of several lines beside each other; each has dashes of its own, for printing in grey."""
+"""Looks of several lines; each has its own dashes, for printing in grey."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Mark:
-    """Something that is drawn; places and values are in the units of the axes.
+    """An element of a drawing; places and values are in the units of the axes.
 
     Attributes
     ----------
     name : str
         Entry in the legend; none if empty.
     colour : {"first", "second", "third", "fourth", "fifth", "ink", "faint", "paper"}
-        Of the colours that any eye tells apart, of text, of thin lines, or of what is drawn on, for fine ones.
+        Five colours for any colour vision, that of text, of thin lines, or of the background, for fine lines.
     dash : {"solid", "dashed", "chain", "dotted", "long", "mixed", "ends", "none"}
-        ``"ends"`` is the dash-dot line of engineering drawings; of ``"none"`` only points are seen.
+        ``"ends"`` is the dash-dot line of engineering drawings; with ``"none"`` only points are drawn.
     """
 
     name: str = ""
@@ -51,7 +51,7 @@ class Mark:
 
     @property
     def numbers(self) -> tuple[Array, ...]:
-        """What a table has of it, equally long: places along, upright, and what colours stand for; may be empty."""
+        """Its columns in a table, equally long: places along, upright values, values of colours; may be empty."""
         return ()
 
 
@@ -249,28 +249,28 @@ class Words(Mark):
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """What an axis is of.
+    """The quantity of an axis, and its range.
 
     Attributes
     ----------
     label : str
         Words, without the unit.
     symbol : str
-        What stands before numbers that are read from the drawing.
+        Symbol before numbers that are read from the drawing.
     unit : str
-        Of the numbers, that of the program.
+        Unit of the numbers, that of the program.
     read : str
-        The unit in which people read them, before they choose others; that of the numbers if empty.
+        The unit in which they are shown by default; that of the numbers if empty.
     range : tuple of float, optional
-        What is drawn; chosen by who draws if left out.
+        The range that is drawn; automatic if left out.
     cut : bool
         Whether values beyond the range are cut off.
     ticks : tuple of (float, str)
-        Places with their words; chosen by who draws if left out.
+        Places with their words; automatic if left out.
     logarithmic : bool
         Whether equal lengths are equal ratios.
     linear : float
-        On both sides of zero, up to which an axis is linear that is logarithmic beyond; neither if zero.
+        Value up to which an axis is linear on both sides of zero, and logarithmic beyond; zero for an ordinary axis.
     categories : tuple of str
         Words in place of the numbers 0, 1, 2 and so on.
     """
@@ -288,11 +288,11 @@ class Axis:
 
     @property
     def scale(self) -> tuple[float, str]:
-        """What turns the numbers into those that people read, and the unit of these."""
+        """The factor to the numbers that are shown, and their unit."""
         return amount(self.range or (), self.unit, self.read).scale
 
     def title(self) -> str:
-        """Return the label with the unit that is read.
+        """Return the label with the unit that is shown.
 
         Examples
         --------
@@ -310,23 +310,23 @@ class Panel:
     Attributes
     ----------
     name : str
-        By which it is found.
+        Identifier of the panel.
     heading : str
-        What is shown.
+        Title of the panel.
     upright : Axis
         The vertical axis.
     marks : sequence of Mark
         From the back to the front.
     description : str
-        What it shows, for those who do not see it.
+        Its contents in words, for readers who cannot see it.
     remark : str
-        What a reader has to know of the drawing, such as that an axis is cut.
+        A note on the drawing, such as that an axis is cut.
     height : int
         On a screen [pixel]; on paper in that proportion to the other panels. The least one of a proportional panel.
     colours : Axis, optional
-        What colours stand for, from zero, dark, to the end of its range, bright; cut if there are values beyond.
+        The quantity of colours, from zero, dark, to the end of its range, bright; cut if there are values beyond.
     proportional : bool
-        Whether both axes are to have one scale; where there is no room for it, the drawing says by how much one is
+        Whether both axes have the same scale; if there is no room for it, the drawing says by how much one is
         stretched.
     round : bool
         Whether places along are angles [rad] around a circle, from the bottom counter-clockwise, and values rise from
@@ -386,9 +386,9 @@ class Figure:
     panels : sequence of Panel
         From the top.
     conditions : str
-        What was solved, in parts with a semicolon between.
+        Case or bearing and its load, in parts separated by semicolons.
     caption : str
-        What is shown, in a sentence to stand under it.
+        A sentence on the contents, to be placed below.
     """
 
     along: Axis
@@ -398,7 +398,7 @@ class Figure:
 
     @property
     def description(self) -> str:
-        """What all panels show, for those who do not see them."""
+        """The contents of all panels in words, for readers who cannot see them."""
         return " ".join(panel.description for panel in self.panels)
 
     def to_csv(self) -> str:
@@ -423,7 +423,7 @@ class Figure:
         return csv_text(["panel", "line", *places, "value", "unit"], rows)
 
     def to_json(self) -> dict[str, Any]:
-        """Return what the page draws, as plain numbers; null for what is not finite, defaults left out."""
+        """Return the figure for the page, as plain numbers; null for non-finite ones, defaults left out."""
         sent: dict[str, Any] = _plain(self)
         return sent
 

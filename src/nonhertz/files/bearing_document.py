@@ -1,7 +1,7 @@
-"""The sections of a bearing file: what each holds, how they go together, and a bearing as what they hold.
+"""The sections of a bearing file: their contents, checks across sections, and the sections of a bearing.
 
-The bodies of a bearing, which are fields of its class, stand beside ``[bearing]`` as sections of their own, and a
-second row like the first within it.
+The bodies of a bearing, which are fields of its class, are sections beside ``[bearing]``; a second row, equal to the
+first, is a table within it.
 """
 
 from __future__ import annotations
@@ -38,19 +38,19 @@ from nonhertz.life.spectrum import at_most_whole
 PARTS = ("roller", "inner", "outer")
 SHAPES = ("inner_shape", "outer_shape")
 OF_OIL = OilInPlace.descriptions.keys()
-PAIR = "a second row like the first, and how it lies"
+PAIR = "a second row, equal to the first, and its arrangement"
 
 
 @input_class(kw_only=True)
 class BearingLifeConditions(TurningRing, LifeConditions):
-    """How long the bearing lasts; its speed is that of the load."""
+    """Conditions of the bearing's life; the speed is that of the load."""
 
     spectrum: Annotated[
         tuple[BearingLoadCase, ...],
         Several(
             Part(
-                "loads with their shares of the revolutions, in place of [load], whose speed they have if they give "
-                "none; what their shares leave of the revolutions is without load",
+                "loads with their shares of the revolutions, in place of [load], whose speed is their default; if the "
+                "shares add up to less than 1, the bearing is unloaded for the rest",
                 BearingLoadCase,
                 "write each load under a heading [[life.spectrum]]",
             ),
@@ -70,30 +70,30 @@ class BearingFile(Input):
 
     format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[str, describe_title("bearing")] = ""
-    # What a section depends on comes before it.
+    # A section follows those on which it depends.
     roller: Rollers
     inner: InnerRing
     outer: OuterRing
     bearing: Annotated[
         RollerBearing | Paired,
-        Part("the bearing but for its rollers and rings", object, ""),
+        Part("the bearing, except its rollers and rings", object, ""),
     ]
-    load: Annotated[BearingLoad, Part("what loads the inner ring, or moves it", BearingLoad, "")]
+    load: Annotated[BearingLoad, Part("loads on the inner ring, or its displacements", BearingLoad, "")]
     fit: Annotated[
         Mounting | None,
         Part(
-            "fits and temperatures: `clearance` is then that of the bearing before it is mounted, and it is solved "
-            "with what is left; speed is the load's",
+            "fits and temperatures: `clearance` is then that before mounting, and the bearing is solved with the "
+            "operating clearance; the speed is that of the load",
             Mounting,
             "",
         ),
     ] = None
-    solver: Annotated[BearingSolver, Part("how it is solved", BearingSolver, "")] = BearingSolver()
+    solver: Annotated[BearingSolver, Part("method of solution", BearingSolver, "")] = BearingSolver()
     lubrication: Annotated[Lubrication, Part("the oil in the bearing", Lubrication, "")] = Lubrication()
-    life: Annotated[BearingLifeConditions, Part("how long the bearing lasts", BearingLifeConditions, "")] = (
+    life: Annotated[BearingLifeConditions, Part("conditions of the bearing's life", BearingLifeConditions, "")] = (
         BearingLifeConditions()
     )
-    report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "")] = TitleBlock()
+    report: Annotated[TitleBlock, Part("head of a report", TitleBlock, "")] = TitleBlock()
 
     @cross_check("bearing")
     def _check_contacts(self) -> None:
@@ -159,7 +159,7 @@ class BearingFile(Input):
 
 
 def read_document(document: dict[str, Any], folder: Path | None) -> BearingFile:
-    """Return what a document holds; names of files are relative to a folder, without which none may be read.
+    """Return the contents of a document; names of files are relative to a folder, without which none may be read.
 
     Raises
     ------
@@ -176,7 +176,7 @@ class _FileReader(TableReader):
     """A bearing file that is being read."""
 
     def hint(self, name: str) -> str:
-        """Return what to do where a section is missing."""
+        """Return the remedy for a missing section."""
         return "write it under a heading [bearing]" if name == "bearing" else super().hint(name)
 
     def read_value(self, name: str, written: Any) -> Any:
@@ -198,10 +198,8 @@ class _FileReader(TableReader):
 
 
 def _refuse_oil(life: dict[str, Any]) -> None:
-    """Refuse what ``[lubrication]`` holds where it is in ``[life]``."""
-    elsewhere = [
-        InputError(name, life[name], "stand in [lubrication]", "move it there") for name in OF_OIL & life.keys()
-    ]
+    """Refuse keys of ``[lubrication]`` in ``[life]``."""
+    elsewhere = [InputError(name, life[name], "be in [lubrication]", "move it there") for name in OF_OIL & life.keys()]
     if elsewhere:
         raise InputsError(sorted(elsewhere, key=lambda error: error.field))
 
@@ -217,7 +215,7 @@ class _RowReader(TableReader):
         return row if self.pair is None else paired(row, **self.pair.keywords)
 
     def read_fields(self) -> None:
-        """Read every field that is given, and how a second row lies."""
+        """Read every field that is given, and the arrangement of a second row."""
         super().read_fields()
         if "pair" in self.table:
             try:
@@ -233,9 +231,9 @@ class _RowReader(TableReader):
 
 
 def _radius_across(document: dict[str, Any]) -> Any:
-    """Return the combined radius of roller and inner raceway [mm], which profiles for a design load may take.
+    """Return the combined radius of roller and inner raceway [mm], the default of profiles for a design load.
 
-    None where both are cones or barrels: their radii across the contact are not those of the diameters in the file.
+    None for cones and barrels: their radii across the contact do not follow from the diameters in the file.
     """
     bearing = document.get("bearing")
     kind = bearing.get("kind") if isinstance(bearing, dict) else None
@@ -255,7 +253,7 @@ def locate_fit_error(error: InputError) -> InputError:
 def with_file_path(error: InputError, document: Mapping[str, Any], *sections: str) -> CaseError:
     """Return an error of `nonhertz.bearing` as one about the bearing file, with the field named as in the file.
 
-    An error about something that is in no file, such as the approach of a contact, comes from the loads.
+    Errors about quantities that are not in a file, such as the approach of a contact, are due to the loads.
     """
     field = error.field.partition(".")[0]
     if sections == ("fit",):
@@ -282,8 +280,8 @@ def bearing_sections(bearing: RollerBearing | Paired) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If no bearing file can hold it: a profile, diameter or shape of a raceway of a user-defined class, or rows that
-        are not two equal ones.
+        If it has no form as a file: a profile, diameter or raceway shape of a user-defined class, or rows other than
+        one or two equal ones.
     """
     row = bearing.rows[0].bearing
     if type(row) not in RollerBearing.kinds.values():

@@ -29,19 +29,19 @@ if TYPE_CHECKING:
 
 
 _FIT: Final = (
-    Key("mounted_pressure", "pressure where ring and seat meet, at 20 °C and at rest", "MPa"),
-    Key("pressure", "the same in operation; 0 where they do not press on each other", "MPa"),
+    Key("mounted_pressure", "pressure between ring and seat, at 20 °C and at rest", "MPa"),
+    Key("pressure", "the same in operation; 0 if the fit is loose", "MPa"),
     Key("seat_stress", "hoop stress of the ring in operation, at its seat", "MPa"),
     Key("raceway_stress", "the same at its raceway", "MPa"),
     Key("loosening_speed", "speed at which the pressure falls to zero; null if none does", "1/min"),
-    Key("temperature_step", "by how much the part that is inside is warmer than the one around it", "K"),
+    Key("temperature_step", "temperature of the inner part less that of the outer part", "K"),
 )
-#: What takes clearance.
+#: Reductions of the clearance.
 LOSSES: Final = (
-    Key("lost_to_inner_fit", "taken by the fit of the inner ring", "mm"),
-    Key("lost_to_outer_fit", "taken by the fit of the outer ring", "mm"),
-    Key("lost_to_temperatures", "taken by temperatures", "mm"),
-    Key("lost_to_speed", "taken by speed", "mm"),
+    Key("lost_to_inner_fit", "reduction by the fit of the inner ring", "mm"),
+    Key("lost_to_outer_fit", "reduction by the fit of the outer ring", "mm"),
+    Key("lost_to_temperatures", "reduction by temperatures", "mm"),
+    Key("lost_to_speed", "reduction by speed", "mm"),
 )
 _CLEARANCE: Final = (
     *within(
@@ -55,17 +55,17 @@ _CLEARANCE: Final = (
         lambda case: case.operating_clearance.axial(case.bearing.rows[0].bearing.nominal_angle),
         applies=lambda case: isinstance(case.bearing.rows[0].bearing, TaperedRollerBearing),
     ),
-    Key("expansion", "given by temperatures between two rows", "mm", lambda case: case.fit.expansion(case.bearing)),
+    Key("expansion", "increase by temperatures between two rows", "mm", lambda case: case.fit.expansion(case.bearing)),
     *(Key(ring, f"fit of the {ring} ring", get=f"operating_clearance.{ring}", holds=_FIT) for ring in RINGS),
 )  # fmt: skip
 _KINEMATICS: Final = (
     Key("inner_speed", "speed of the inner ring", "1/min"),
     Key("outer_speed", "speed of the outer ring", "1/min"),
     Key("cage_speed", "speed of the cage", "1/min"),
-    Key("roller_speed", "speed of a roller about its axis, against the cage", "1/min"),
-    Key("inner_frequency", "how often rollers pass a place of the inner ring, BPFI", "Hz"),
-    Key("outer_frequency", "how often rollers pass a place of the outer ring, BPFO", "Hz"),
-    Key("roller_frequency", "how often a place of a roller meets a ring, 2 BSF", "Hz"),
+    Key("roller_speed", "speed of a roller about its axis, relative to the cage", "1/min"),
+    Key("inner_frequency", "frequency at which rollers pass a point of the inner ring, BPFI", "Hz"),
+    Key("outer_frequency", "frequency at which rollers pass a point of the outer ring, BPFO", "Hz"),
+    Key("roller_frequency", "frequency at which a point of a roller meets a ring, 2 BSF", "Hz"),
 )
 _FILM_ALONG: Final = ("least_film", "central_film", "entrainment")
 _FRICTION: Final = (
@@ -88,7 +88,7 @@ _FILM: Final = (
     ),
     Key(
         "rib_sliding",
-        "how fast rollers' ends slide on ribs of both rings that may bear loads",
+        "sliding speed of the rollers' ends on the ribs of both rings",
         "mm/s",
         holds=ListOf(count=2),
     ),
@@ -129,11 +129,11 @@ _RATING: Final = (
     Key("outer", "dynamic capacity of a contact with the outer ring", "N"),
     Key("fatigue_limit", "fatigue load limit Cu", "N"),
     Key("rows", "number of equal rows", holds="integer"),
-    Key("material_factor", "bm, with which C was found if it is not a catalogue's"),
+    Key("material_factor", "bm, from which C follows unless it is given"),
     Key("reduction", "lambda nu, reduction of C for uneven line loads"),
 )
 _REVOLUTIONS: Final = "10^6 revolutions"
-_IN_HOURS: Final = {"basic": "L10", "reference": "L10r", "modified": "L_nmr", "rated": "the life that stands"}
+_IN_HOURS: Final = {"basic": "L10", "reference": "L10r", "modified": "L_nmr", "rated": "rated life"}
 
 
 def _hours(name: str) -> Callable[[BearingLife], float]:
@@ -146,14 +146,14 @@ _OF_LOAD: Final = (
     Key("static_load", "P0; of a spectrum, the largest", "N"),
     Key("basic_life", "L10 of ISO 281", _REVOLUTIONS),
     Key("reference_life", "L10r of ISO/TS 16281", _REVOLUTIONS),
-    Key("basis", "the text that L10r follows, and where it departs from it", holds="string"),
+    Key("basis", "the standard that L10r follows, and any departure from it", holds="string"),
     Key("viscosity_ratio", "kappa; null without a viscosity"),
     Key("contamination", "e_C; null without a cleanliness"),
     Key("life_factor", "a_ISO; null without viscosity and cleanliness"),
     Key("reliability_factor", "a_1"),
-    Key("modified_life", "L_nmr; null where no_modified says why", _REVOLUTIONS),
-    Key("rated_life", "the life that stands: L_nmr, or a_1 L10r where there is none", _REVOLUTIONS),
-    Key("speed", "speed at which revolutions become hours; null if it is not known", "1/min"),
+    Key("modified_life", "L_nmr; null if no_modified gives a reason", _REVOLUTIONS),
+    Key("rated_life", "rated life: L_nmr, or a_1 L10r if there is none", _REVOLUTIONS),
+    Key("speed", "speed that converts revolutions to hours; null if unknown", "1/min"),
     *(
         Key(f"{name}_hours", f"{meaning}; null without a speed", "h", _hours(f"{name}_life"))
         for name, meaning in _IN_HOURS.items()
@@ -192,28 +192,28 @@ def keys() -> tuple[Key, ...]:
     return (
         results.FORMAT_KEY,
         Key("title", "title of the bearing", get="case.title", holds="string"),
-        Key("method", "how contacts were solved", get="solution.method", holds=["strips", "slices"]),
+        Key("method", "method by which contacts were solved", get="solution.method", holds=["strips", "slices"]),
         results.models_key(
             lambda rated: rated.solution.bearing.rows[0].bearing,
             {"roller": "the rollers", **{ring: f"the {ring} ring" for ring in RINGS}},
         ),
         Key(
-            "operating_clearance", "clearance of a row and what took it, in turn; null without fits", holds=_CLEARANCE,
+            "operating_clearance", "clearance of a row and its reductions; null without fits", holds=_CLEARANCE,
             get=lambda rated: None if rated.case.fit is None else rated.case, nullable=True,
         ),
         *within(
             "solution",
             Key("row", "row of every roller, from 1", get=_row_numbers, holds=ListOf("integer")),
             Key(
-                "x", "place of every roller along the axis", "mm",
+                "x", "axial position of every roller", "mm",
                 lambda solution: [row.x for row in solution.bearing.rows for _ in range(row.bearing.rollers)], _ROLLERS,
             ),
-            Key("angle", "where every roller is", "rad", holds=_ROLLERS),
+            Key("angle", "angle of every roller", "rad", holds=_ROLLERS),
             *quantity_keys(_OF_SLICES, _CONTACTS),
             Key("each_rib_load", "load on every roller's ends from each rib", "N", holds=ListOf(_ROLLERS)),
             *(_pressures(CONTACT_QUANTITIES[name]) for name in PRESSURES),
             Key(
-                "roller_load", "what speed loads every roller with, along x and r and as a moment", ["N", "N", "N mm"],
+                "roller_load", "load by speed on every roller, along x and r, and moment", ["N", "N", "N mm"],
                 holds=ListOf(ListOf(count=3)),
             ),
             Key("displacement", "of the inner ring along x, y and z, and about y and z", _MOTIONS, holds=_RING),
@@ -224,26 +224,26 @@ def keys() -> tuple[Key, ...]:
             ),
             Key("edge_rollers", "unloaded rollers at the edge of the load zone, from 0", holds=ListOf("integer")),
             Key(
-                "edge_stiffness", "change of force along x, y and z where these bear; null if there are none", "N/mm",
+                "edge_stiffness", "stiffness along x, y and z if these are loaded; null if there are none", "N/mm",
                 holds=ListOf(count=3),
             ),
             Key("residual", "imbalance relative to the loads"),
         ),
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
-        Key("film", "films of oil; null without a speed or an oil", get="films", holds=_FILM, nullable=True),
+        Key("film", "oil films; null without a speed or an oil", get="films", holds=_FILM, nullable=True),
         Key("kinematics", "speeds, frequencies; null at rest", get="case.kinematics", holds=_KINEMATICS, nullable=True),
         Key(
-            "friction", "torque and power; null where speed, oil, series or sizes are not known", "",
+            "friction", "torque and power; null if speed, oil, series or sizes are unknown", "",
             lambda rated: rated.case.friction(rated.solution), _FRICTION, nullable=True,
         ),
-        Key("thermal_speed", "thermal speed rating of ISO 15312; null where series or sizes are not known", "1/min",
+        Key("thermal_speed", "thermal speed rating of ISO 15312; null if series or sizes are unknown", "1/min",
             get="case.thermal_speed"),
         Key("iterations", "Newton steps of the ring", get="solution.iterations", holds="integer"),
         Key(
-            "tolerances", "between which limits classes leave clearance and results; null without classes",
+            "tolerances", "limits of clearance and results by the classes; null without classes",
             get=lambda rated: rated.case.tolerances(rated.solution, rated.life), holds=_TOLERANCES, nullable=True,
         ),
-        Key("life", "ratings and lives; null where life_reason says why", holds=_LIFE, nullable=True),
+        Key("life", "ratings and lives; null if life_reason gives a reason", holds=_LIFE, nullable=True),
         Key("life_reason", "why there is no life; empty if there is one", get="reason", holds="string"),
         results.assumed_key("case.assumed"),
         results.verdict_key(lambda rated: rated.case.verdict(rated.solution, rated.life)),
@@ -275,16 +275,16 @@ def rollers_table(solution: BearingSolution, films: Films | None = None) -> str:
 
 
 def lines_table(solution: BearingSolution, laminae: int, films: Films | None = None) -> str:
-    """Return what is known along all loaded contacts as CSV with a header of names and units.
+    """Return the quantities along all loaded contacts as CSV with a header of names and units.
 
     Parameters
     ----------
     solution : BearingSolution
         The loaded bearing.
     laminae : int
-        Number of slices, where it was solved by them.
+        Number of slices, if it was solved by slices.
     films : Films, optional
-        Its films of oil.
+        Its oil films.
     """
     by_strips = solution.method == "strips"
     names = ALONG.keys() - {"gap"} if by_strips else ("y", "strip_width", "line_load")
@@ -312,7 +312,7 @@ def _strips(solution: BearingSolution, quantities: Iterable[Quantity]) -> Iterat
 
 
 def _with_films(rows: Iterable[Iterable[Any]], films: Films) -> Iterator[Iterable[Any]]:
-    """Yield rows of roller, ring, place and more with the film there; blank where there is no load."""
+    """Yield rows of roller, ring, position and more with the film there; blank without load."""
     blank = ("",) * len(_FILM_ALONG)
     along = {
         (roller + 1, film.ring): dict(zip(film.y.tolist(), zip(*numbers, strict=True), strict=True))
@@ -364,7 +364,7 @@ def comparison_keys() -> tuple[Key, ...]:
 
 
 def comparison_object(strips: BearingSolution, slices: BearingSolution, title: str) -> dict[str, Any]:
-    """Return both methods' loads and motions, and how far slices are from strips, as plain numbers."""
+    """Return loads and displacements by both methods, and the differences of slices from strips, as plain numbers."""
     return results.document(comparison_keys(), strips=strips, slices=slices, title=title)
 
 

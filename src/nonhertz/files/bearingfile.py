@@ -1,4 +1,4 @@
-"""Bearing files: from TOML to a bearing and what loads it.
+"""Bearing files: from TOML to a bearing and its loads.
 
 All mistakes in a file are found at once and raised together, in the wording of the Python classes.
 """
@@ -55,33 +55,34 @@ _OF_SPEED = ("speed", "viscosity_ratio")
 
 
 def _check_loaded(solution: BearingSolution, life: BearingLife | None = None) -> None:
-    """Refuse what is no loaded bearing or no life of one."""
+    """Refuse arguments that are not a loaded bearing and its life."""
     from nonhertz.bearing.assessed import BearingLife
     from nonhertz.bearing.solution import BearingSolution
 
     if not isinstance(solution, BearingSolution):
-        raise InputError("solution", solution, "be a solved bearing", "give what BearingCase.solve returns")
+        raise InputError("solution", solution, "be a solved bearing", "give the result of BearingCase.solve")
     if not isinstance(life, BearingLife | None):
-        raise InputError("life", life, "be a life", "give what BearingCase.assess returns, or leave it out")
+        raise InputError("life", life, "be a life", "give the result of BearingCase.assess, or leave it out")
 
 
 @dataclass(frozen=True, repr=False)
 class BearingCase(CaseBase):
-    """A bearing, what loads it, how that is solved, and how its life is assessed.
+    """A bearing, its loads, the method of solution, and the conditions of its life.
 
     Attributes
     ----------
     bearing : RollerBearing or Paired
         The bearing.
     prescribed : BearingLoad
-        Forces or displacements, moment or tilt, and speed; keywords of it will do, as for the next three.
+        Forces or displacements, moment or tilt, and speed; a dictionary of its keywords is accepted too, as for the
+        next three.
     solver : BearingSolver
-        Method and number of slices; strips where left out.
+        Method and number of slices; strips by default.
     life : BearingLifeConditions
-        Reliability, ratings and so on, and a spectrum of loads in place of what is prescribed.
+        Reliability, ratings and so on, and a load spectrum that replaces ``prescribed``.
     fit : Mounting or None
-        Seats and temperatures; the speed is that of ``prescribed``. The clearance of ``bearing`` is then the one
-        before it is mounted.
+        Seats and temperatures; the speed is that of ``prescribed``. The clearance of ``bearing`` is then that before
+        mounting.
     lubrication : Lubrication
         Viscosity and cleanliness of the oil.
     title, path, title_block, origin
@@ -118,7 +119,7 @@ class BearingCase(CaseBase):
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> BearingFile:
-        """Return what a document holds."""
+        """Return the contents of a document."""
         return read_document(document, folder)
 
     def sections(self) -> dict[str, Any]:
@@ -133,25 +134,25 @@ class BearingCase(CaseBase):
 
     @property
     def parts(self) -> dict[str, Input]:
-        """The inputs of which something may be assumed, by their places in its file."""
+        """The inputs with defaults that are reported as assumptions, by their places in the file."""
         seats = (
             {} if self.fit is None else {"fit": self.fit, "fit.shaft": self.fit.shaft, "fit.housing": self.fit.housing}
         )
         try:
             _ = rating(self.bearing)
-        except InputError:  # there is no life that could rest on anything
+        except InputError:  # there is no life, and so no assumption on it
             return parts_of(self.bearing) | seats
         return parts_of(self.bearing) | seats | {"lubrication": self.lubrication, "life": self.life}
 
     @property
     def spectrum(self) -> tuple[BearingLoadCase, ...]:
-        """The loads under which life is assessed, in place of what is prescribed, with their speeds; empty without."""
+        """The loads of the life, with their speeds, which replace the prescribed one; empty without a spectrum."""
         speed = self.prescribed.speed
         return tuple(case if case.speed else replace(case, speed=speed) for case in self.life.spectrum)
 
     @property
     def operating_clearance(self) -> OperatingClearance | None:
-        """What fits, temperatures and speed leave of the clearance of a row, and what each takes; None without fits.
+        """The operating clearance of a row, and its reduction by fits, temperatures and speed; None without fits.
 
         Raises
         ------
@@ -165,14 +166,14 @@ class BearingCase(CaseBase):
 
     @cached_property
     def mounted(self) -> RollerBearing | Paired:
-        """The bearing with the clearance that it is solved with.
+        """The bearing with its operating clearance.
 
         Raises
         ------
         CaseError
-            As `nonhertz.bearing.Mounting.operating` does, or if what is left is no clearance that a bearing can have.
+            As by `nonhertz.bearing.Mounting.operating`, or if the operating clearance is out of range.
         ConvergenceError
-            If rows do not bear their preload.
+            If the rows are not in equilibrium under their preload.
         """
         from nonhertz.bearing.verb import adjust_preload
 
@@ -183,12 +184,12 @@ class BearingCase(CaseBase):
 
     @property
     def kinematics(self) -> Kinematics | None:
-        """Speeds of cage and rollers, and frequencies of over-rolling; None without a speed."""
+        """Speeds of cage and rollers, and over-rolling frequencies; None without a speed."""
         speed = self.prescribed.speed
         return self.bearing.rows[0].bearing.kinematics(**{f"{self.life.turning}_speed": speed}) if speed else None
 
     def films(self, solution: BearingSolution) -> Films | None:
-        """Return the films of oil in the loaded bearing; None without a speed or an oil."""
+        """Return the oil films in the loaded bearing; None without a speed or an oil."""
         from nonhertz.bearing.film import films
 
         _check_loaded(solution)
@@ -198,7 +199,7 @@ class BearingCase(CaseBase):
         return films(solution, lubrication=oil, laminae=self.solver.laminae)
 
     def friction(self, solution: BearingSolution) -> Friction | None:
-        """Return torque and power loss of the loaded bearing; None where oil, speed, series or sizes are not known."""
+        """Return torque and power loss of the loaded bearing; None if oil, speed, series or sizes are unknown."""
         from nonhertz.bearing.friction import friction
 
         _check_loaded(solution)
@@ -215,13 +216,13 @@ class BearingCase(CaseBase):
 
     @property
     def thermal_speed(self) -> float | None:
-        """The thermal speed rating of ISO 15312 [1/min]; None where series or sizes are not known."""
+        """The thermal speed rating of ISO 15312 [1/min]; None if series or sizes are unknown."""
         from nonhertz.bearing.friction import reference_speed
 
         return None if self._rating is None else reference_speed(self.bearing, self._rating.static)
 
     def limits(self, solution: BearingSolution) -> tuple[Limit, ...]:
-        """Return how the loaded bearing compares with limits that makers publish."""
+        """Return the comparison of the loaded bearing with limits that manufacturers publish."""
         from nonhertz.bearing.limits import limits
 
         _check_loaded(solution)
@@ -238,7 +239,7 @@ class BearingCase(CaseBase):
         )
 
     def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Verdict | None:
-        """Return the verdict on the loaded bearing, with its life if it has one."""
+        """Return the verdict on the loaded bearing, including its life if there is one."""
         from nonhertz.verdict import judge_bearing
 
         _check_loaded(solution, life)
@@ -254,7 +255,7 @@ class BearingCase(CaseBase):
 
     @contextlib.contextmanager
     def _name_keys(self, *sections: str, fields: Container[str] | None = None) -> Iterator[None]:
-        """Name the key in the file in what is refused within, only where it is one of ``fields`` if they are given."""
+        """Name keys of the file in errors raised within, or only those in ``fields`` if they are given."""
         try:
             yield
         except InputError as error:
@@ -264,16 +265,16 @@ class BearingCase(CaseBase):
 
     @property
     def _inner_speed(self) -> float:
-        """The speed at which the inner ring and the shaft widen [1/min]."""
+        """The speed that expands inner ring and shaft [1/min]."""
         return self.prescribed.speed if self.life.turning == "inner" else 0.0
 
     def at(self, clearance: str = "likely") -> BearingCase:
-        """Return the case with numbers in place of classes, by which it leaves no tolerances.
+        """Return the case with numbers in place of classes, and so without tolerances.
 
         Parameters
         ----------
         clearance : {"least", "likely", "greatest"}
-            Which of the clearances that the classes allow it has.
+            Its clearance within the limits of the classes.
 
         Raises
         ------
@@ -287,14 +288,14 @@ class BearingCase(CaseBase):
         return replace(self, bearing=self.bearing.at(clearance), fit=fit)
 
     def tolerances(self, solution: BearingSolution, life: BearingLife | None = None) -> Tolerances | None:
-        """Return what its classes leave open, and what that does to pressure and life; None if it has none.
+        """Return the limits by its classes, and their effect on pressure and life; None without classes.
 
         Parameters
         ----------
         solution : BearingSolution
-            What `solve` returned: at the likely clearance. At the least and the greatest it is solved here.
+            The result of `solve`, at the likely clearance. The bearing is solved here at the least and the greatest.
         life : BearingLife or None
-            That of the solution, if it has one.
+            The life of the solution, if there is one.
 
         Raises
         ------
@@ -316,11 +317,11 @@ class BearingCase(CaseBase):
 
     @cached_property
     def at_limits(self) -> dict[str, list[Numbers]]:
-        """Numbers at the least and the greatest clearance, by the method by which they have been found so far."""
+        """Numbers at the least and the greatest clearance that have been computed so far, by method."""
         return {}
 
     def _attempted(self, method: str) -> tuple[BearingSolution | None, BearingLife | None]:
-        """Return the loaded bearing and its life, as far as there are any."""
+        """Return the loaded bearing and its life; None for what cannot be computed."""
         with without_accuracy_warnings():
             try:
                 solution = self.solve(method)
@@ -329,19 +330,19 @@ class BearingCase(CaseBase):
                 return None, None
 
     def solve(self, method: str | None = None) -> BearingSolution:
-        """Return the loaded bearing, as `nonhertz.bearing.solve` does.
+        """Return the loaded bearing; see `nonhertz.bearing.solve`.
 
         Parameters
         ----------
         method : {"strips", "slices"}, optional
-            In place of that of the file.
+            Method that replaces the one in the file.
 
         Raises
         ------
         CaseError
             If the bearing or its loads are refused; the sentence names the key in the file.
         ConvergenceError
-            If no balance is found.
+            If no equilibrium is found.
         """
         from nonhertz.bearing.verb import solve
 
@@ -350,14 +351,14 @@ class BearingCase(CaseBase):
             return solve(self.mounted, **self.prescribed.keywords, turning=self.life.turning, **solver)
 
     def assess(self, solution: BearingSolution) -> BearingLife:
-        """Return how long the bearing lasts, as `nonhertz.bearing.assess` does, under the spectrum if there is one.
+        """Return the life of the bearing, under the spectrum if there is one; see `nonhertz.bearing.assess`.
 
         Raises
         ------
         CaseError
-            If something that the file says about life is refused; the sentence names its key.
+            If an input of the life is refused; the sentence names its key.
         ConvergenceError
-            If no balance is found under a load of the spectrum.
+            If no equilibrium is found under a load of the spectrum.
         InputError
             If such a bearing has no rating.
         """
@@ -366,7 +367,7 @@ class BearingCase(CaseBase):
 
         with self._name_keys("life", fields={*LifeConditions.descriptions, *Lubrication.descriptions, *_OF_SPEED}):
             oil = self.lubrication.in_place.keywords
-            # Of thrust bearings an oil is known for its films alone, unless a modified life is asked for.
+            # In thrust bearings an oil serves its films only, unless a modified life is requested.
             if isinstance(self.bearing.rows[0].bearing, CylindricalThrustBearing) and len(oil) == 1:
                 oil = {}
             conditions = oil | self.life.keywords
@@ -378,12 +379,12 @@ class BearingCase(CaseBase):
             return assess(pairs, **conditions)
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
-        """Return what `assess` does, or None and the reason why such a bearing has no rating.
+        """Return the life and "", or None and the reason why such a bearing has no rating.
 
         Raises
         ------
         CaseError
-            If something that the file says about life is refused.
+            If an input of the life is refused.
         """
         try:
             return self.assess(solution), ""
@@ -393,25 +394,25 @@ class BearingCase(CaseBase):
             raise with_file_path(error, self.document, "life") from None
 
     def contact_case(self, solution: BearingSolution, roller: int, ring: str = "inner") -> Case:
-        """Return the contact of a roller with a ring as a case of its own, with the load and tilt that it has there.
+        """Return the contact of a roller with a ring as a case of its own, with its load and tilt in the bearing.
 
-        Its bodies are those of the bearing, cut along their common generator, with y along the roller. What else acts
-        on the roller, such as ribs, speed, raceways that are not round and the other ring, is in load and tilt. Solved,
-        it is `BearingSolution.contact`.
+        Its bodies are those of the bearing, cut along their common generator, with y along the roller. Other actions on
+        the roller, of ribs, speed, out-of-round raceways and the other ring, are contained in load and tilt. Its
+        solution is `BearingSolution.contact`.
 
         Parameters
         ----------
         solution : BearingSolution
-            This bearing, solved by strips or by slices, whose load and tilt are then those of slices.
+            This bearing, solved by strips or by slices; load and tilt are by the same method.
         roller : int
-            Its index, from 0; in words rollers are counted from 1.
+            Index of the roller, from 0; sentences count rollers from 1.
         ring : {"inner", "outer"}
-            Which ring; of thrust bearings the washer of the shaft or of the housing.
+            The ring; in thrust bearings the shaft washer or the housing washer.
 
         Raises
         ------
         InputError
-            If there is no such contact, or it bears no load.
+            If there is no such contact, or it is not loaded.
 
         Examples
         --------
@@ -453,13 +454,13 @@ def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> 
     path : str or Path
         A TOML file; see docs/reference/bearing-file.md.
     changes : mapping of str to object, optional
-        Values in place of those in the file, by dotted path, such as ``{"load.radial": "5 kN"}``; None takes a key out.
-        The text names them.
+        Values in place of those in the file, by dotted path, such as ``{"load.radial": "5 kN"}``; None removes a key. A
+        comment in the case's text lists them.
 
     Returns
     -------
     BearingCase
-        The bearing and what loads it.
+        The bearing and its loads.
 
     Raises
     ------
@@ -472,7 +473,7 @@ def read_bearing(path: str | Path, changes: Mapping[str, Any] | None = None) -> 
 
 
 def new_bearing(template: str | None = None, changes: Mapping[str, Any] | None = None) -> BearingCase:
-    """Return a bearing and what loads it to start from, the one that ``nonhertz new --bearing`` writes as a file.
+    """Return a bearing with loads to start from, the one that ``nonhertz new --bearing`` writes as a file.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Limits on the content of a case file, so that any file is answered promptly.
 
-They are far above what any case needs: a wrong path or a broken generator hits them, a person does not.
+They are far above the needs of any case: only a wrong path or a broken generator exceeds them.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from typing import Any, Final
 FORMAT: Final = 1
 """Of case files and results; incremented when a later release can no longer read old files unchanged."""
 LARGEST_CASE: Final = 1_000_000
-"""Bytes; some 50,000 points."""
+"""Bytes of a file; some 50,000 points."""
 NESTING: Final = 16
 """Levels of nested tables and lists; a case has six at most."""
 KEYS: Final = 5000
-"""In the whole file; a thousand loads have three each."""
+"""Keys in the whole file; a thousand loads have three each."""
 PROFILES: Final = 100
-"""Per body."""
+"""Profiles of a body."""
 LOADS: Final = 1000
-"""Per spectrum."""
+"""Loads of a spectrum."""
 MISTAKES: Final = 20
-"""Listed individually; the rest are only counted."""
+"""Mistakes listed one by one; further ones are only counted."""
 
 TOO_DEEP: Final = "lists or tables are nested too deeply"
 _KEY_PART = r"""(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')"""

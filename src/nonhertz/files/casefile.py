@@ -1,4 +1,4 @@
-"""Case files: from TOML to a `Contact` and what to solve it for.
+"""Case files: from TOML to a `Contact` with its loads.
 
 All mistakes in a file are found at once and raised together, in the wording of the Python classes.
 """
@@ -38,18 +38,18 @@ _SECTIONS = {
 
 @dataclass(frozen=True, repr=False)
 class Case(CaseBase):
-    """Two bodies, what presses them together, how that is solved, and how long the bodies last.
+    """Two bodies, their load, the method of solution, and the conditions of their life.
 
     Attributes
     ----------
     contact : Contact
         The two bodies.
     prescribed : Prescription
-        Load or approach, tilt or moment; keywords of it will do, as for ``solver`` and ``life``.
+        Load or approach, tilt or moment; a dictionary of its keywords is accepted too, as for ``solver`` and ``life``.
     solver : Solver
-        Element, strips and accuracy; semi-elliptic and automatic where left out.
+        Element, strips and accuracy; semi-elliptic strips on an automatic grid by default.
     life : Life
-        How long the bodies last: models and a spectrum of loads.
+        Fatigue models and a load spectrum.
     title, path, title_block, origin
         As of `CaseBase`.
 
@@ -75,12 +75,12 @@ class Case(CaseBase):
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> CaseDocument:
-        """Return what a document holds."""
+        """Return the contents of a document."""
         return read_input(CaseDocument, document, read_context(document, folder))
 
     @property
     def parts(self) -> dict[str, Input]:
-        """The inputs of which something may be assumed, by their places in its file."""
+        """The inputs with defaults that are reported as assumptions, by their places in the file."""
         return {f"body.{name}": body for name, body in self.contact.bodies.items()}
 
     def sections(self) -> dict[str, Any]:
@@ -96,14 +96,14 @@ class Case(CaseBase):
         return {"body": body, "load": document_of(self.prescribed), "solver": document_of(self.solver)} | rest
 
     def solve(self) -> Solution:
-        """Return the solution of the case, as `nonhertz.solve` does.
+        """Return the solution of the case; see `nonhertz.solve`.
 
         Raises
         ------
         CaseError
             If the solver rejects the case; the sentence names the key in the file.
         ConvergenceError
-            If it stops short of a solution.
+            If the solver stops short of a solution.
 
         Warns
         -----
@@ -126,13 +126,13 @@ def read_case(path: str | Path, changes: Mapping[str, Any] | None = None) -> Cas
     path : str or Path
         A TOML file; see docs/reference/case-file.md.
     changes : mapping of str to object, optional
-        Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None removes a key.
-        The text names them.
+        Values in place of those in the file, by dotted path, such as ``{"load.load": "5 kN"}``; None removes a key. A
+        comment in the case's text lists them.
 
     Returns
     -------
     Case
-        The contact and what to solve it for.
+        The contact with its loads.
 
     Raises
     ------

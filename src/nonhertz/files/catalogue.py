@@ -34,7 +34,7 @@ SYMBOLS: Final = {
 }
 NEEDED: Final = ("d", "D", "B", "C", "C0")
 _ALIKE: Final = {"T": "B"}  # the width of a tapered bearing
-_KEPT: Final = ("material", "diameter", "length", "profile", "depth")  # of bodies; the others are usual
+_KEPT: Final = ("material", "diameter", "length", "profile", "depth")  # keys of bodies; others have their defaults
 _EXAMPLE: Final = "d=30 D=62 B=16 C=44kN C0=36.5kN"
 _STEEL, _OF_LOAD, _SPEED, _DIGITS, _COLUMNS = "100Cr6", 0.1, 1000.0, 6, 100
 
@@ -45,20 +45,20 @@ def guess_of_catalogue(stated: Mapping[str, str]) -> CatalogueGuess:
     Parameters
     ----------
     stated : mapping of str to str
-        Values by their `SYMBOLS`, with units or in mm, N and rad: d, D, B (of a tapered bearing T), C and C0 are
-        needed. ``kind`` is ``"cylindrical"``, unless it says ``"needle"`` or ``"tapered"``.
+        Values by their `SYMBOLS`, with units or in mm, N and rad: d, D, B (T for tapered bearings), C and C0 are
+        needed. ``kind`` is ``"cylindrical"`` (default), ``"needle"`` or ``"tapered"``.
 
     Raises
     ------
     InputError
-        If a symbol is unknown, missing or out of range, or no rollers that fit have such ratings.
+        If a symbol is unknown, missing or out of range, or no rollers that fit have these ratings.
     """
     stated = {_ALIKE.get(symbol, symbol): value for symbol, value in stated.items()}
     absent = [symbol for symbol in NEEDED if symbol not in stated]
     values = dict(_argument(symbol, value) for symbol, value in stated.items())
     if absent:
         shown = " ".join(f"{symbol}={value}" for symbol, value in stated.items())
-        raise InputError("catalogue", shown, f"have {joined(absent)}, too", f"add them, such as {_EXAMPLE}")
+        raise InputError("catalogue", shown, f"include {joined(absent)}", f"add them, as in {_EXAMPLE}")
     try:
         return from_catalogue(**values)
     except InputError as error:
@@ -67,7 +67,7 @@ def guess_of_catalogue(stated: Mapping[str, str]) -> CatalogueGuess:
 
 
 def _argument(symbol: str, text: str) -> tuple[str, Any]:
-    """Return name and value of the argument that a symbol of a catalogue is."""
+    """Return name and value of the argument for a symbol of a catalogue."""
     if symbol == "kind":
         return symbol, text
     if symbol not in SYMBOLS:
@@ -82,7 +82,7 @@ def _argument(symbol: str, text: str) -> tuple[str, Any]:
 def text_of_guess(
     guess: CatalogueGuess, title: str = "", bearing: Mapping[str, Any] | None = None, source: str = ""
 ) -> str:
-    """Return the text of a bearing file of a guess, with a title, what else is known of the bearing, and its source."""
+    """Return the text of a bearing file for a guess; ``bearing`` has further keys of the table of that name."""
     first, *others = guess.sentences
     others += [source] if source else []
     words = [f"For 'nonhertz bearing': {first}. Replace what you know.", *(f"- {sentence}" for sentence in others)]
@@ -93,7 +93,7 @@ def text_of_guess(
 
 
 def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
-    """Return a bearing file below words as comments: a sentence, and items that begin with a hyphen."""
+    """Return a bearing file below comments: a sentence, and items that begin with a hyphen."""
     wrapped = (
         line
         for word in (*words, "Numbers are in mm, N, rad and 1/min.")
@@ -103,10 +103,10 @@ def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
 
 
 def guessed_document(guess: CatalogueGuess) -> dict[str, Any]:
-    """Return what the file holds: what is not usual, in digits that a drawing has."""
+    """Return the contents of the file: values other than defaults, with as many digits as on a drawing."""
     load = {"radial": _OF_LOAD * guess.dynamic, "speed": _SPEED}
     if isinstance(guess.bearing, TaperedRollerBearing):
-        # Twice what keeps the row together.
+        # Twice the axial load that keeps the row in contact.
         load["axial"] = 2.0 * math.tan(guess.bearing.nominal_angle) * load["radial"]
     document = BearingCase(
         guess.bearing, BearingLoad(**load), title=guess.sentences[0].partition(" of a ")[2]

@@ -18,9 +18,9 @@ _LONGEST = 60  # characters of a value in the comment
 
 
 def parse_changes(words: Sequence[str]) -> dict[str, Any]:
-    """Return what words such as ``load.load=5kN`` put into a file, by path.
+    """Return the values in words such as ``load.load=5kN``, by path.
 
-    A value is read as in the file, except that text needs no quotes; without a value, the key is taken out.
+    A value is read as in the file, except that text needs no quotes; without a value, the key is removed.
 
     Raises
     ------
@@ -50,31 +50,31 @@ def apply_changes(
     changes: Mapping[str, Any],
     kind: type[Input],
 ) -> tuple[dict[str, Any], str | None]:
-    """Return a document with other values, and its text, whose first line names them.
+    """Return a document with other values, and its text, whose first line lists them.
 
     Parameters
     ----------
     document : dict
-        What a case file or a bearing file holds; it need not be free of mistakes.
+        Contents of a case file or a bearing file; it may have mistakes.
     text : str or None
-        What it was parsed from.
+        Text from which it was parsed.
     changes : mapping
-        Values by path; None takes a key out. What the document gives in place of one of them is taken out, too.
+        Values by path; None removes a key. Keys that exclude one of them are removed as well.
     kind : type
-        The class of what such a file holds.
+        The class of the contents of such a file.
 
     Raises
     ------
     InputError
         If ``changes`` is no such mapping.
     CaseError
-        With every path that leads to no value of such a file.
+        With every path that is not that of a value in such a file.
     """
     if not isinstance(changes, Mapping):
         raise InputError("changes", changes, "be a dictionary", 'map paths to values, such as {"load.load": "5 kN"}')
     if not changes:
         return document, text
-    # Here, since they know the fields of bearings, too, which are loaded only where something is changed.
+    # Imported here, since they also load the fields of bearings, which are needed only for changes.
     from nonhertz.files.paths import drop_before_parameters, find_parameter, list_parameters
 
     whole, mistakes, known = document, [], list_parameters(document, kind)
@@ -96,7 +96,7 @@ def apply_changes(
 
 
 def _parse_value(text: str) -> Any:
-    """Return a value as it is written in TOML, or else the text."""
+    """Return a value written as in TOML, or else the text itself."""
     try:
         parsed_value = tomllib.loads(f"value = {text}")
     except (tomllib.TOMLDecodeError, RecursionError, ValueError):

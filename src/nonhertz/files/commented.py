@@ -1,4 +1,4 @@
-"""A changed document as the text of its file, with the comments and the order that the file had."""
+"""A changed document as the text of its file, with the comments and the order of the file."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from nonhertz.files.toml import to_toml
 def update_toml(document: dict[str, Any], text: str) -> str:
     r"""Return a document as TOML, written into a text that held another version of it.
 
-    Lines whose values are the same stay as they are. Where the text is none of TOML, or the changes do not fit into it,
-    the document is written anew.
+    Lines with unchanged values stay as they are. If the text is not TOML, or the changes do not fit into it, the
+    document is written anew.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def update_toml(document: dict[str, Any], text: str) -> str:
 
 
 def _write_into(table: Any, values: Mapping[str, Any], *, within: bool = False) -> None:
-    """Make a table of a file hold other values; ``within`` another, what is new is written on one line."""
+    """Write values into a table of a file; ``within`` another table, new ones are written on one line."""
     for name in table.keys() - values.keys():
         del table[name]
     for name, value in values.items():

@@ -19,12 +19,12 @@ _COLUMNS = ("element", "y [mm]", "strip_width [mm]", "centre_pressure [MPa]", "p
 
 
 _QUANTITY: Final = (
-    Key("name", "what it is", holds="string"),
+    Key("name", "name of the quantity", holds="string"),
     Key("unit", "its unit", holds="string"),
     Key("patch", "by the plane grid"),
     *(Key(name, f"by {strips}") for name, strips in _ELEMENTS.items()),
     Key("absolute", "whether differences are in its unit; else relative to the plane grid", holds="boolean"),
-    Key("remark", "what to know about it", get=lambda quantity: quantity.remark or "", holds="string"),
+    Key("remark", "remark", get=lambda quantity: quantity.remark or "", holds="string"),
     Key(
         "differences", "from the plane grid",
         holds=tuple(Key(name, f"of {strips}", get=itemgetter(k)) for k, (name, strips) in enumerate(_ELEMENTS.items())),
@@ -70,10 +70,10 @@ COMPARISON: Final = (
         Key("stretches", "where pressures on the centre line differ by more than 1 %", holds=ListOf(_STRETCH)),
         Key("seconds", "times", "s", holds=_SECONDS),
         Key(
-            "stations", "where to look across the contact",
-            holds=ListOf((Key("y", "where", "mm"), Key("reason", "why there", holds="string"))),
+            "stations", "stations at which the pressure across is compared",
+            holds=ListOf((Key("y", "where", "mm"), Key("reason", "reason for the station", holds="string"))),
         ),
-        Key("warnings", "what strains the models, a sentence each", holds=ListOf("string")),
+        Key("warnings", "warnings that strain the models, a sentence each", holds=ListOf("string")),
     ),
     results.UNITS,
     *(Key(name, strips, get=_strips(name), holds=_STRIPS) for name, strips in _ELEMENTS.items()),

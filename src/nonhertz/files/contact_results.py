@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _END: Final = (
     Key("y", "where it is", "mm", holds="number"),
-    Key("kind", "how it ends", get="kind.label", holds=[kind.label for kind in EdgeKind]),
+    Key("kind", "kind of end", get="kind.label", holds=[kind.label for kind in EdgeKind]),
 )
 _EDGE: Final = (
     *_END,
@@ -32,13 +32,13 @@ _EDGE: Final = (
     Key("strength", "K, up to half a half-width from the end; null where unknown or not singular", "MPa mm^exponent"),
     Key("correction", "c; null where unknown or not singular", "mm^-correction_exponent"),
     Key("correction_exponent", "beta; 0 if not singular", holds="number"),
-    Key("convention", "what ends here and what is freed", holds="string"),
+    Key("convention", "bodies that end here, and the treatment of their side faces", holds="string"),
     Key("converges", "whether the pressure converges with more strips", holds="boolean"),
 )
 _ERRORS: Final = (
     Key("approach", "of the penetration"),
     Key("load", "of the load"),
-    Key("max_pressure", "of the maximum pressure; null at a corner of the profile, where there is no limit"),
+    Key("max_pressure", "of the maximum pressure; null at a corner of the profile, where it is unbounded"),
     Key("moment", "of load times half the length of the strips"),
     Key("tilt", "of the penetration, at half the length of the strips"),
 )
@@ -54,12 +54,12 @@ CONTACT: Final = (
         *quantity_keys(quantity for quantity in QUANTITIES.values() if not quantity.within),
         Key("contact_y", "the intervals in contact", "mm", holds=ListOf(ListOf("number", 2))),
         Key("edge_pressure", "at the low and at the high end", holds=ListOf(_EDGE, 2)),
-        Key("singular_ends", "ends towards which the pressure has no limit", holds=ListOf(_END)),
+        Key("singular_ends", "ends towards which the pressure is unbounded", holds=ListOf(_END)),
         Key(
             "stiffness", "d(load, moment) / d(approach, tilt)", [["N/mm", "N/rad"], ["N mm/mm", "N mm/rad"]],
             holds=ListOf(ListOf(count=2), 2),
         ),
-        Key("peaks_at_corner", "whether the largest pressure is at a corner", holds="boolean"),
+        Key("peaks_at_corner", "whether the maximum pressure is at a corner", holds="boolean"),
         Key("iterations", "Newton steps", holds="integer"),
         Key("strips", "number of strips", holds="integer"),
         Key("error_estimate", "estimated discretisation errors, relative", holds=_ERRORS),
@@ -68,7 +68,7 @@ CONTACT: Final = (
     results.assumed_key("case.assumed"),
     *results.warning_keys(lambda solved: solved.solution.findings),
     results.findings_key(
-        "remarks", "what strains no model but is worth knowing; left out if there is nothing", "solution.remarks",
+        "remarks", "remarks that strain no model; left out if there are none", "solution.remarks",
         applies=lambda solved: bool(solved.solution.remarks),
     ),
     results.UNITS,

@@ -1,4 +1,4 @@
-"""Files of cases, bearings and plans: their text, what it holds, and what is read from it."""
+"""Files of cases, bearings and plans: their text, their documents, and the objects read from them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
 
 @dataclass(frozen=True, eq=False)
 class Origin:
-    """What a case was read from.
+    """The file from which a case was read.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class Origin:
     notes : tuple of str
         Warnings raised when it was read, such as gaps in a measured profile.
     folder : Path or None
-        Directory that file names are relative to; None where no file may be read.
+        Directory to which file names are relative; None if no file may be read.
     """
 
     document: dict[str, Any]
@@ -69,31 +69,31 @@ class Origin:
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Document:
-    """Base of what a file holds.
+    """Base of cases, bearing cases and plans, which files contain.
 
     Attributes
     ----------
     title : str
-        What it is called; the file's name if the file has no title.
+        Title; the file's name if the file has none.
     path : Path
-        The file it was read from; other file names are relative to it.
+        The file from which it was read; other file names are relative to it.
     origin : Origin or None
-        What the file held; None for what was made in Python, and for a changed copy made with ``dataclasses.replace``.
+        Contents of the file; None if it was made in Python, or changed with ``dataclasses.replace``.
     """
 
     title: str = ""
     path: Path = field(default=Path("case.toml"), compare=False)
-    # No argument, so that a changed copy does not carry the text of the case it was made from.
+    # Not an argument, so that a changed copy does not keep the text of the original.
     origin: Origin | None = field(default=None, init=False, compare=False, repr=False)
 
-    #: What such a file is called.
+    #: The kind of such a file.
     kind: ClassVar[str] = "case"
 
     def __post_init__(self) -> None:
         cls: Any = type(self)
         for name, kinds in _field_classes(cls).items():
             value = getattr(self, name)
-            # An input may be given by its keywords.
+            # A dictionary of keywords may replace an input.
             if isinstance(value, Mapping) and issubclass(kinds[0], Input) and not kinds[0].kinds:
                 value = _build_input(name, kinds[0], value)
                 object.__setattr__(self, name, value)
@@ -106,7 +106,7 @@ class Document:
         return short_repr(self)
 
     def _with_origin(self, origin: Origin) -> Self:
-        """Note what the file held from which it has just been read, and return it."""
+        """Store the contents of the file from which it has just been read, and return it."""
         object.__setattr__(self, "origin", origin)
         return self
 
@@ -121,27 +121,27 @@ class Document:
 
     @property
     def own_document(self) -> dict[str, Any]:
-        """What `write` writes, whatever its file held; raises as that does."""
+        """The document that `write` writes, whatever is in its file; raises as `write`."""
         return {"format": FORMAT} | ({"title": self.title} if self.title else {}) | self.sections()
 
     @property
     def document(self) -> dict[str, Any]:
-        """What its file holds, or what `write` would write; raises as that does."""
+        """The document of its file, or that of `write`; raises as `write`."""
         return self.own_document if self.origin is None else self.origin.document
 
     @property
     def text(self) -> str:
-        """The text of its file, or what `write` would write; raises as that does."""
+        """The text of its file, or that of `write`; raises as `write`."""
         text = None if self.origin is None else self.origin.text
         return to_toml(self.document) if text is None else text
 
     def document_in(self, folder: Path) -> dict[str, Any]:
-        """Return its document as a file in another folder holds it: the names of files are relative to that."""
+        """Return its document for a file in another folder, to which the names of files are relative."""
         document: dict[str, Any] = _relocate(self.document, self.path.parent, folder)
         return document
 
     def _written(self, folder: Path) -> dict[str, Any]:
-        """Return the document that `write` writes into a folder; raises as that does."""
+        """Return the document that `write` writes into a folder; raises as `write`."""
         return self.own_document
 
     @property
@@ -163,8 +163,8 @@ class Document:
         Raises
         ------
         InputError
-            If the file cannot be written, or it has something no file can hold: a profile, a diameter or the shape of
-            a raceway of a user-defined class, or rows that are not two equal ones.
+            If the file cannot be written, or something has no form in a file: a profile, a diameter or a raceway shape
+            of a user-defined class, or rows other than one or two equal ones.
         """
         if not isinstance(path, str | Path):
             raise InputError("path", path, "be the name of a file to write", "give a string or a Path")
@@ -183,39 +183,39 @@ class CaseBase(Document):
     Attributes
     ----------
     title_block : TitleBlock
-        What the head of a report says beside the title.
+        The head of a report, except the title.
     """
 
     title_block: TitleBlock = field(default_factory=TitleBlock)
-    # What a result file says was assumed: the case in it gives all defaults.
+    # The assumptions listed in a result file, since the case in it gives all defaults.
     stored_assumptions: tuple[Finding, ...] | None = field(default=None, init=False, compare=False, repr=False)
 
-    #: The class of what a file holds.
+    #: The class of the contents of a file.
     contents: ClassVar[type[Input]]
 
-    #: The sections that fields are read from where these have other names.
+    #: The sections of fields with other names.
     elsewhere: ClassVar[Mapping[str, str]] = {"prescribed": "load", "title_block": "report"}
 
     @property
     def parts(self) -> dict[str, Input]:
-        """The inputs of which something may be assumed, by their places in its file."""
+        """The inputs with defaults that are reported as assumptions, by their places in the file."""
         raise NotImplementedError
 
     @property
     def assumed(self) -> tuple[Finding, ...]:
-        """What is assumed where its file, or the inputs it was made of, leave something out that decides the result."""
+        """The assumptions for inputs that are left out and decide the result."""
         if self.stored_assumptions is not None:
             return self.stored_assumptions
         return collect_assumptions(self.parts, None if self.origin is None else self.origin.document)
 
     @staticmethod
     def contents_of(document: dict[str, Any], folder: Path | None) -> Any:
-        """Return what a document holds, of the class ``contents``; raises ``InputsError`` with every mistake in it."""
+        """Return the contents of a document, of the class ``contents``; raises ``InputsError`` with every mistake."""
         raise NotImplementedError
 
     @classmethod
     def read(cls, path: str | Path, changes: Mapping[str, Any] | None = None) -> Self:
-        """Return what a file holds, with changes as of ``of``."""
+        """Return the case in a file, with ``changes`` as for `of`."""
         return cls.of(*load_document(path, cls.kind), changes=changes)
 
     @classmethod
@@ -228,20 +228,21 @@ class CaseBase(Document):
         files: bool = True,
         changes: Mapping[str, Any] | None = None,
     ) -> Self:
-        """Return what a document holds that has already been parsed.
+        """Return the case in a document that has already been parsed.
 
         Parameters
         ----------
         document : dict
-            What a TOML file holds.
+            Contents of a TOML file.
         path : Path
-            Where it came from; the names of other files are relative to it.
+            Its file; the names of other files are relative to it.
         text : str, optional
-            What it was parsed from.
+            Text from which it was parsed.
         files : bool
-            Whether it may name files; False for an untrusted document, which must not make us read any.
+            Whether it may name files; False for an untrusted document, for which none must be read.
         changes : mapping of str to object, optional
-            Values in place of those in the document, by dotted path; None takes a key out. The text names them.
+            Values in place of those in the document, by dotted path; None removes a key. A comment in the text lists
+            them.
 
         Raises
         ------
@@ -267,14 +268,14 @@ class CaseBase(Document):
 
 @cache
 def _field_classes(cls: type[Any]) -> dict[str, tuple[type[Any], ...]]:
-    """Return the classes that each field of a file must be of, where it is one value."""
+    """Return the classes of each field of a file that is a single value."""
     hints = get_type_hints(cls)
     kinds = {field.name: hints[field.name] for field in fields(cls) if field.init}
     return {name: get_args(kind) or (kind,) for name, kind in kinds.items() if isinstance(kind, type | UnionType)}
 
 
 def _build_input(name: str, kind: type[Input], keywords: Mapping[str, Any]) -> Input:
-    """Return the input that keywords make."""
+    """Return the input with these keywords."""
     for key, value in keywords.items():
         if key not in kind.descriptions:
             raise unknown_key_error(key, value, kind.descriptions, "name").within(name)

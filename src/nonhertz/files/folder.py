@@ -18,9 +18,9 @@ _DRAFTS = ".nonhertz-draft-"
 def write_files(
     directory: str | Path, texts: Mapping[str, str], draw: Callable[[Path], object] | None = None
 ) -> tuple[Path, ...]:
-    """Write texts, and what ``draw`` writes, into a directory: all files or none.
+    """Write texts, and the files of ``draw``, into a directory: all files or none.
 
-    Figures are in SI units whatever results are read in.
+    Figures are in SI units, whatever the display units are.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def refuse_unwritable(directory: Path, field: str = "folder") -> None:
 
 
 def refuse_unwritable_file(path: Path) -> None:
-    """Refuse a file more than one folder below those that are there, a typing error, or that cannot be written.
+    """Refuse a file that cannot be written, or whose folder is missing together with the folder above: a typing error.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def refuse_unwritable_file(path: Path) -> None:
         If the file cannot be written.
     """
     if not (around := path.parent.parent).exists():
-        condition = "be in a folder that is there, or a new one in such a folder"
+        condition = "be in an existing folder, or in a new one within it"
         raise InputError("out", str(path), condition, f"make {around} first, or correct the name")
     refuse_unwritable(path.parent)
 
@@ -106,7 +106,7 @@ def refuse_unwritable_file(path: Path) -> None:
 def _draft_folder(directory: Path, *, keep: bool = True) -> Iterator[Path]:
     """Make a folder for drafts in a directory; refuse one that cannot be written to.
 
-    The directory is created if need be, and taken away again if that fails or nothing is to be kept.
+    The directory is created if necessary, and removed again on failure, or if ``keep`` is false.
     """
     made: list[Path] = []
     try:

@@ -1,7 +1,7 @@
 """Tables of forces against displacement as CSV, for other programs.
 
-Units are those of the package: mm, rad, N, N mm. Forces are those that hold the inner ring where it is; the bearing
-pushes the shaft with their opposite.
+Units are those of the package: mm, rad, N, N mm. Forces are those that hold the inner ring in its position; the bearing
+acts on the shaft with the opposite forces.
 """
 
 from __future__ import annotations
@@ -66,11 +66,11 @@ def write(path: str | Path, table: ForceTable) -> Path:
 
 
 def as_csv_text(table: ForceTable) -> str:
-    """Return a table as CSV in the long format: a line for each state, the last motion changing first.
+    """Return a table as CSV in long format: a line for each state, the last displacement changing fastest.
 
-    Columns are named with their units in the first line: the five motions, the fixed ones included, forces and
-    moments, their 25 derivatives as ``force_y_by_x [N/mm]``, and ``converged``, 1 or 0; where a state has not
-    converged, forces are ``nan``.
+    The first line names the columns with their units: the five displacements, fixed ones included, forces and moments,
+    their 25 derivatives, such as ``force_y_by_x [N/mm]``, and ``converged``, 1 or 0; forces of a state that has not
+    converged are ``nan``.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def as_csv_text(table: ForceTable) -> str:
     Raises
     ------
     InputError
-        If it is no table.
+        If it is not a ForceTable.
     """
     if not isinstance(table, ForceTable):
         raise InputError("table", table, "be a ForceTable", "make one with nonhertz.bearing.table")

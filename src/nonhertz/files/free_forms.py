@@ -1,4 +1,4 @@
-"""Free profiles: relief that only has to grow from the middle to both ends, as a design may choose it.
+"""Free profiles: any relief that grows from the middle to both ends, for a design to choose.
 
 The relief is zero in the middle and rises by an increment from knot to knot, the same on both sides, with the monotone
 cubic of ``kind = "tabulated"`` between them. Knots are closer to each other towards the ends, where profiles bend most.
@@ -37,13 +37,13 @@ class FreeForm:
     Attributes
     ----------
     deepest : float
-        The most relief at the ends [mm].
+        Largest relief at the ends [mm].
     knots : int
         Number of increments from the middle to an end.
     steepest : float or None
-        The most slope from knot to knot [rad].
+        Largest slope from knot to knot [rad].
     roundest : float or None
-        The least radius of curvature at a knot [mm], from the slopes to both sides of it.
+        Smallest radius of curvature at a knot [mm], from the slopes on both sides of it.
     """
 
     deepest: float
@@ -62,7 +62,7 @@ class FreeForm:
         return self.deepest * np.concatenate([[0.0], np.cumsum(np.square(shares))])
 
     def margins(self, shares: Sequence[float] | Array, half_length: float) -> tuple[Array, Array]:
-        """Return by how much every bound is met, over itself, and the derivatives by the shares.
+        """Return the relative margin of every bound, and its derivatives with respect to the shares.
 
         Parameters
         ----------
@@ -79,7 +79,7 @@ class FreeForm:
         """
         roots = np.asarray(shares, dtype=float)
         widths = np.diff(self.places(half_length))
-        # Secants by the increments, and curvatures by the secants: in the middle, the profile is its own mirror image.
+        # Slopes of the secants, and curvatures from those; in the middle the profile is its own mirror image.
         to_secants = np.diag(self.deepest / widths)
         bend = np.diff(to_secants, axis=0, prepend=-to_secants[:1])
         between = 0.5 * (np.append(widths[0], widths[:-1]) + widths)
@@ -93,7 +93,7 @@ class FreeForm:
         return 1.0 - rows @ roots**2, -2.0 * rows * roots
 
     def places(self, half_length: float) -> Array:
-        """Return where the knots are, from the middle outwards [mm]."""
+        """Return the positions of the knots, from the middle outwards [mm]."""
         return half_length * np.sin(0.5 * math.pi * np.arange(self.knots + 1) / self.knots)
 
     def tables(self, document: Mapping[str, Any], keys: Keys, shares: Sequence[float] | Array) -> list[dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""Bearing files from a designation: raceways that catalogues print (geometries.csv), or geometries of your own."""
+"""Bearing files from a designation, with raceways from catalogues (geometries.csv) or your own geometries."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LARGEST: Final = 1_000_000  # bytes
 _NEAR: Final = 3
 _HEAD: Final = ("designation", "kind", *SYMBOLS, "source")
 _EXAMPLE: Final = "begin it with a line such as designation,d,D,B,C,C0,F,E,Z,L,source"
-# A size, with a design before it and what makers add behind it.
+# A size, with a design before it and manufacturers' suffixes behind it.
 _SIZE: Final = re.compile(rf"({'|'.join(sorted(DESIGNS, key=len, reverse=True))})?(\d{{3,4}})(?!\d)")
 
 
@@ -30,15 +30,15 @@ def bearing_of_designation(designation: str, own: Path | None = None) -> str:
     Parameters
     ----------
     designation : str
-        Such as ``"NU 206"``. What makers add behind the size, as in ``"NJ 2310 ECP"``, is ignored.
+        Such as ``"NU 206"``. Suffixes behind the size, as in ``"NJ 2310 ECP"``, are ignored.
     own : Path, optional
-        A comma-separated file with geometries of your own, which precede those of the library and may be of any kind
-        that `nonhertz.files.catalogue.guess_of_catalogue` knows. Its head has ``designation``, symbols and ``source``.
+        A CSV file of your own geometries, which take precedence over those of the library and may be of any kind that
+        `nonhertz.files.catalogue.guess_of_catalogue` knows. Its header has ``designation``, symbols and ``source``.
 
     Raises
     ------
     InputError
-        If the designation is not known, the file is no such table, or a row describes no possible bearing.
+        If the designation is unknown, the file is not such a table, or a row describes an impossible bearing.
     """
     rows = {} if own is None else _own_geometries(own)
     row = rows.get(_plain(designation))
@@ -80,7 +80,7 @@ def _own_geometries(path: Path) -> dict[str, dict[str, str]]:
         condition = f"be a comma-separated table of {joined(_HEAD)}"
         raise InputError("geometries", name, condition, _EXAMPLE)
     if any(None in row.values() for row in rows):
-        raise InputError("geometries", name, "have as many values in each row as in its head", "complete the rows")
+        raise InputError("geometries", name, "have as many values in each row as in its header", "complete the rows")
     return {_plain(row["designation"]): row for row in rows}
 
 

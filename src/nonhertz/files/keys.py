@@ -1,7 +1,7 @@
-"""What may stand in the tables of files, key by key: what forms, reports and the reference of files are made from.
+"""The keys of the tables in files, from which forms, reports and the reference of files are made.
 
-All of it is what the fields of inputs say of themselves. Only where a bearing's file is divided otherwise than its
-classes are is it said here.
+All of it comes from the fields of inputs, except where a bearing file is divided differently from the classes of a
+bearing.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from nonhertz.inputs.descriptions import Description, Part, Several
 from nonhertz.inputs.fields import Input, default_of
 from nonhertz.model.profile import Profile
 
-#: Of a bearing's file as people write it: the bearing before its parts, and a second row after all that the first has.
+#: The usual order in a bearing file: the bearing before its parts, and a second row after all keys of the first.
 _ORDER: Final = {"format": -3, "title": -2, "bearing": -1, "pair": 1}
 
 
-#: Lengths that people read in micrometres.
+#: Lengths that are shown in micrometres.
 MICROMETRES: Final = frozenset(
     {
         *(
@@ -56,9 +56,9 @@ class Key:
     usual : object
         Its default, `dataclasses.MISSING` if it must be given.
     tables : tuple of Table
-        Those that may stand in it.
+        Tables that it may hold.
     several : bool
-        Whether a list of them may.
+        Whether it may hold a list of them.
     """
 
     description: Description
@@ -74,23 +74,23 @@ class Table:
     Attributes
     ----------
     word : str
-        Its kind if that tells it from others in the same place, else what it is.
+        Its kind if it has alternatives in the same place, else its meaning in a word.
     meaning : str
         What it holds.
     keys : mapping of str to Key
-        By name; where it has kinds, those of all.
+        By name; those of all kinds if it has kinds.
     kinds : mapping of str to Table
-        By the word that its key ``kind`` holds.
+        By the word of its key ``kind``.
     meaning_of_kind : str
         What that word decides.
     pairs : tuple of pairs of str
-        Keys of which one is given in place of the other, the usual one first.
+        Pairs of keys of which one replaces the other, the usual one first.
     apart : tuple of tuples of str
-        Groups of keys of which no two are given.
+        Groups of keys of which at most one is given.
     likely : callable or None
-        The class of what it makes if it gives no kind.
+        The class of its object if it gives no kind.
     name : str
-        What it makes, if that is of a class.
+        The name of the class of its object, if it has one.
     """
 
     word: str
@@ -104,7 +104,7 @@ class Table:
     name: str = ""
 
     def of_kind(self, word: Any) -> Table:
-        """Return what it is if its kind is a word; itself if that is none of its kinds."""
+        """Return the table of a kind; itself for an unknown kind."""
         return self.kinds.get(word, self) if isinstance(word, str) else self
 
     @property
@@ -119,7 +119,7 @@ def table_of(cls: Any) -> Table:
     own = _table_of_kind(cls)
     kinds = {word: replace(_table_of_kind(kind), word=word) for word, kind in cls.kinds.items()}
     every = {name: key for table in (*kinds.values(), own) for name, key in table.keys.items()}
-    # What one kind needs others do not.
+    # A key that one kind needs may be missing in others.
     every = {
         name: key if name in own.keys or key.usual is not MISSING else replace(key, usual=None)
         for name, key in sorted(every.items(), key=lambda item: _ORDER.get(item[0], 0))
@@ -135,7 +135,7 @@ def _table_of_kind(cls: type[Input]) -> Table:
         for name, description in cls.descriptions.items()
     }
     if issubclass(cls, RollerBearing):
-        # Its bodies stand beside it in a file, and a second row in it.
+        # Its bodies are sections beside it in a file, and a second row is a table in it.
         keys = {name: key for name, key in keys.items() if name not in PARTS}
         keys["pair"] = Key(Part(PAIR, Pair, ""), None, (table_of(Pair),))
     order = [*keys].index
@@ -164,7 +164,7 @@ def _describe_key(name: str, description: Description, usual: Any, inner: Any) -
 
 
 def unit_of(description: Description) -> str:
-    """Return the unit of the number or the numbers of a field; empty if they have none, or it holds others."""
+    """Return the unit of the number or numbers of a field; empty if they have none, or if it has no numbers."""
     return str(getattr(getattr(description, "item", description), "unit", ""))
 
 
@@ -176,7 +176,7 @@ def profile_kinds() -> tuple[Table, ...]:
 
 def _profile_table(kind: str) -> Table:
     needed, usual = needed_keys(kind), _list_defaults(KINDS[kind])
-    # What is not given is that of the body.
+    # The body provides what is not given.
     defaults = usual | dict.fromkeys(needed, MISSING)
     keys = {name: Key(description, defaults.get(name)) for name, description in keys_of(kind).items()}
     pairs = tuple((name, "drop") for name in needed if name in KINDS[kind].by_drop)

@@ -1,4 +1,4 @@
-"""How long both bodies of a case last, as text and as files."""
+"""The lives of both bodies of a case, as text and as files."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _COLUMNS = ("body", "model", "y [mm]", "density")
 
 @dataclass(frozen=True, eq=False)
 class Assessment:
-    """How long both bodies of a case last.
+    """The lives of both bodies of a case.
 
     Attributes
     ----------
@@ -39,11 +39,11 @@ class Assessment:
     dent : Overrolled or None
         A dent that was rolled over.
     dents : mapping of str to float
-        How many there are: keywords of `Overrolled.relative_life`.
+        The number of dents: keywords of `Overrolled.relative_life`.
     required : float or None
-        The life that is asked for [10^6 revolutions].
+        The required life [10^6 revolutions].
     assumed : tuple of Finding
-        What is assumed of the models, where the case leaves it out.
+        The assumptions of the models for inputs that the case leaves out.
     """
 
     title: str
@@ -58,14 +58,14 @@ class Assessment:
 
     @property
     def dent_lives(self) -> dict[str, float]:
-        """The life of the raceway with dents over that without, by every volume model."""
+        """The ratio of the life of the raceway with dents to that without, by every volume model."""
         if self.dent is None:
             return {}
         return {model.name: self.dent.relative_life(model, **self.dents) for model in self._volume_models}
 
     @property
     def judging_dents(self) -> VolumeModel:
-        """The first volume model that is not of orthogonal shear, which hardly sees dents."""
+        """The first volume model other than of orthogonal shear, which dents hardly change."""
         return min(self._volume_models, key=lambda model: model.stress == "orthogonal_shear")
 
     @property
@@ -74,24 +74,24 @@ class Assessment:
 
     @property
     def raceway(self) -> BodyName | None:
-        """The body that a roller rolls on, whose life is given in revolutions; None if there is none."""
+        """The body on which a roller rolls, whose life is given in revolutions; None if there is none."""
         ring = self.lives["b"][0].raceway
         return None if ring is None else ring.body
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether the bodies bear their loads, the worst of all, and last as long as is asked for, by every model."""
+        """Whether limits are met under all loads, and the required life by every model; the worst verdict of all."""
         lives = [self.million_revolutions(number) for number in range(len(self.lives["b"]))]
         return add_life(judge_loads(self.spectrum), min(filter(None, lives), default=None), self.required)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """The notes and all that was found, a sentence each."""
+        """The notes and all findings, a sentence each."""
         return tuple(dict.fromkeys((*self.notes, *sentences(self.findings))))
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """All that was found of the lives and of a dent, each once."""
+        """All findings on the lives and on a dent, each once."""
         findings = [] if self.dent is None else [*self.dent.findings]
         for life in (life for body in BODIES for life in self.lives[body]):
             findings += life.findings
@@ -131,24 +131,24 @@ def _of_bodies(name: str, meaning: str, unit: str | None = None) -> Key:
 _MODEL: Final = (
     Key("name", "the model", get="model.name", holds="string"),
     Key("parameters", "its parameters, and Weibull's slope", {"fatigue_limit": "MPa"}, _parameters, "object"),
-    Key("source", "where it comes from", get="model.source", holds="string"),
-    _of_bodies("relative_life", "life over that under the ideal pressure; null without damage, or without such a life"),
-    Key("million_revolutions", "L10 of the raceway; null where there is none", "10^6 revolutions"),
+    Key("source", "reference", get="model.source", holds="string"),
+    _of_bodies("relative_life", "life relative to that under the ideal pressure; null without damage or such a life"),
+    Key("million_revolutions", "L10 of the raceway; null if there is none", "10^6 revolutions"),
     _of_bodies("damage", "0 is an infinite life", "MPa^exponent mm^(2 - depth_exponent), of iso-16281 none"),
     _of_bodies("reference", "damage under the ideal pressure", "as damage"),
     Key(
-        "with_dents", "life of the raceway with dents over that without; left out without a dent",
+        "with_dents", "ratio of the life of the raceway with dents to that without; left out without a dent",
         applies=lambda by_model: by_model.with_dents is not None,
     ),
     Key(
-        "ratio", "lives of the first case over these, in compared_with alone", applies=lambda by_model: by_model.ratio,
+        "ratio", "lives of the first case over these; only in compared_with", applies=lambda by_model: by_model.ratio,
         holds=tuple(Key(body, f"of body {body}") for body in BODIES),
     ),
 )  # fmt: skip
 _LOAD: Final = (
     *within(itemgetter(0), Key("load", "load", "N"), Key("tilt", "tilt", "rad")),
     Key("share", "share of the revolutions", get=itemgetter(1)),
-    *within(itemgetter(0), Key("max_pressure", "maximum pressure; null where it has no limit", "MPa")),
+    *within(itemgetter(0), Key("max_pressure", "maximum pressure; null where it is unbounded", "MPa")),
 )
 _CASE: Final = (
     *within(
@@ -159,7 +159,7 @@ _CASE: Final = (
             get=lambda lives: [solution.status.label for solution, _ in lives.spectrum],
         ),
         Key("rollers", "number of rollers in the bearing", holds="integer", nullable=True),
-        Key("raceway", "body that a roller rolls on, a or b", holds="string", nullable=True),
+        Key("raceway", "body on which a roller rolls, a or b", holds="string", nullable=True),
     ),
     Key("models", "lives by each model", get=_models, holds=ListOf(_MODEL)),
     *within(
@@ -174,7 +174,7 @@ _CASE: Final = (
 LIVES: Final = (
     *_CASE,
     Key(
-        "compared_with", "the same of the case that it is compared with; left out without one", "", holds=_CASE,
+        "compared_with", "the same for the case of the comparison; left out without one", "", holds=_CASE,
         get=lambda case: SimpleNamespace(lives=case.other, first=case.lives), applies=lambda case: case.other,
     ),
     results.UNITS,
@@ -182,7 +182,7 @@ LIVES: Final = (
 
 
 def as_object(lives: Assessment, other: Assessment | None = None) -> dict[str, Any]:
-    """Return lives, and those they are compared with, as plain numbers, text, lists and dictionaries."""
+    """Return lives, and those of a case for comparison, as plain numbers, text, lists and dictionaries."""
     return results.document(LIVES, lives=lives, other=other, first=None)
 
 

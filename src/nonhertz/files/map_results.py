@@ -1,4 +1,4 @@
-"""A map of a contact as text: its range and how far it is off, not what it is evaluated from."""
+"""A map of a contact as text: its range and its errors, without the data for its evaluation."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _ERRORS: Final = (
     Key("stiffness", "of the stiffness"),
     Key("max_pressure", "of the maximum pressure"),
     Key("max_half_width", "of the half-width"),
-    Key("strip_loads", "of the load on a strip, relative to that of all"),
-    Key("points", "number of points at which they were sampled", holds="integer"),
+    Key("strip_loads", "of the load on a strip, relative to the total load"),
+    Key("points", "number of points at which errors were sampled", holds="integer"),
 )
 
 
@@ -36,11 +36,11 @@ MAP: Final = (
         _range("load", "N"),
         Key("tilt", "lowest and highest tilt", "rad", "tilt_range", _RANGE),
         Key("max_load", "largest load", "N"),
-        Key("accuracy", "what was asked for of load and moment, relative"),
-        Key("sampled_error", "relative errors at points of their own", holds=_ERRORS),
-        Key("cases", "solves that it was built from", holds="integer"),
+        Key("accuracy", "target relative error of load and moment"),
+        Key("sampled_error", "relative errors at independent points", holds=_ERRORS),
+        Key("cases", "number of solves from which it was built", holds="integer"),
         Key("failed", "solves without a solution", holds="integer"),
-        Key("stations", "edges of the strips whose loads it has", "mm", holds=ListOf("number")),
+        Key("stations", "edges of the strips whose loads it gives", "mm", holds=ListOf("number")),
     ),
     *results.warning_keys(attrgetter("map.findings")),
     results.UNITS,

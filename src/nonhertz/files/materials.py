@@ -9,7 +9,7 @@ from nonhertz.files.results import Key, ListOf, MapOf, input_keys
 from nonhertz.model.material import Material
 from nonhertz.model.materials import LIBRARY, Entry
 
-#: Keys of what is printed of the library; what is not known is null.
+#: Keys of the library as JSON; unknown values are null.
 MATERIALS: Final = (
     Key(
         "materials", "the materials, by name", get="entries",
@@ -19,8 +19,8 @@ MATERIALS: Final = (
             *input_keys(Material, "material."),
             Key("density", "density", "t/mm^3"),
             Key("expansion", "linear thermal expansion", "1/K"),
-            Key("source", "where each number comes from", holds="string"),
-            Key("note", "what limits its use; empty if nothing does", holds="string"),
+            Key("source", "source of each number", holds="string"),
+            Key("note", "limits of use; empty if there are none", holds="string"),
         )),
     ),
     results.UNITS,

@@ -1,6 +1,6 @@
 """A measured profile in a case file: ``{ kind = "measured", file = "roller.txt", height_unit = "um" }``.
 
-The file stays as the machine wrote it; the table says, key by key, how to process it, which is done afresh each time.
+The file stays as the machine wrote it; the keys of the table say how to process it, each time it is read.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class MeasuredProfile(ProfileKind):
         Parameters
         ----------
         folder : Path
-            Directory that the name of its file is relative to.
+            Directory to which the name of its file is relative.
 
         Raises
         ------
@@ -111,7 +111,7 @@ def read_measured(
 ) -> Measured:
     """Return the profile in a file, read and prepared as checked values specify.
 
-    ``change`` is made to its trace before any step.
+    ``change`` is applied to the trace before any step.
 
     Raises
     ------

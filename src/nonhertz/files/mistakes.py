@@ -36,7 +36,7 @@ def case_error(mistakes: Iterable[InputError], document: Mapping[str, Any] = Map
 
 
 def describe_mistake(mistake: InputError) -> str:
-    """Return what the user reads of a mistake; what is missing has no value to show, since TOML has no null."""
+    """Return the sentence on a mistake; a missing key has no value to show, since TOML has no null."""
     wordless = mistake.value is None and not isinstance(mistake, UnknownKeyError)
     return f"{mistake.field} must {mistake.condition}: {mistake.remedy}." if wordless else str(mistake)
 

@@ -44,7 +44,7 @@ class Nodes:
     cells : list of list of str
         Its cells, as written.
     x, y : ndarray
-        Where the nodes are [mm].
+        Coordinates of the nodes [mm].
     """
 
     head: tuple[str, ...]
@@ -61,14 +61,14 @@ def read_nodes(path: Path) -> Nodes:
     Raises
     ------
     InputError
-        If the file cannot be read, has no such columns, or a line of it has no such numbers.
+        If the file cannot be read, or columns or numbers are missing.
     """
     lines, _ = decode(*read_input_file("path", path, LARGEST))
     written = [(number, line) for number, line in enumerate(lines, start=1) if line.strip()]
     if not written:
         raise InputError("path", str(path), "hold nodes", _EXAMPLE)
     separator = next((candidate for candidate in (";", "\t", ",") if candidate in written[0][1]), None)
-    # A head between blanks may have blanks before its units.
+    # In a header separated by blanks, units may be separated from names by blanks.
     head = cells_of(re.sub(r"\s+([\[(])", r"\1", written[0][1]) if separator is None else written[0][1], separator)
     columns = {name: _column(name, head, path) for name in _NEEDED}
     cells = []
@@ -77,7 +77,7 @@ def read_nodes(path: Path) -> Nodes:
         row_cells = cells_of(line, separator)
         if len(row_cells) != len(head):
             condition = f"have as many columns in line {number} as in its head, {len(head)}, not {len(row_cells)}"
-            raise InputError("path", str(path), condition, "complete the line, or take it out")
+            raise InputError("path", str(path), condition, "complete the line, or delete it")
         cells.append(row_cells)
         for place, (name, (column, factor)) in enumerate(columns.items()):
             numbers[row, place] = factor * _number(row_cells[column], separator, f"{name} in line {number}", path)
@@ -95,7 +95,7 @@ def as_table(nodes: Nodes, loads: NodalLoads) -> str:
     return csv_text((*nodes.head, *_RESULTS), rows)
 
 
-#: Keys of what nodes get of a contact.
+#: Keys of a contact on nodes.
 NODES: Final = (
     Key("title", "title of the case", holds="string"),
     *within(
@@ -106,19 +106,19 @@ NODES: Final = (
     *within(
         "nodes",
         Key("force_sum", "sum of the forces", "N", lambda nodes: np.sum(nodes.force)),
-        Key("outside", "load outside of the nodes", "N"),
-        Key("interpolated_load", "load of the pressures, linear between nodes", "N"),
+        Key("outside", "load outside the mesh", "N"),
+        Key("interpolated_load", "integral of the pressures, interpolated linearly between nodes", "N"),
     ),
     Key("max_pressure", "maximum pressure of the contact", "MPa", "solution.max_pressure"),
     *results.warning_keys(attrgetter("solution.findings")),
     results.UNITS,
     *within(
         "nodes",
-        Key("x", "place of every node across the contact", "mm", holds=ListOf()),
-        Key("y", "its place along it", "mm", holds=ListOf()),
+        Key("x", "position of every node across the contact", "mm", holds=ListOf()),
+        Key("y", "its position along the contact", "mm", holds=ListOf()),
         Key("pressure", "pressure there", "MPa", holds=ListOf()),
         Key("force", "force on it", "N", holds=ListOf()),
-        Key("area", "area that it stands for", "mm^2", holds=ListOf()),
+        Key("area", "area that it represents", "mm^2", holds=ListOf()),
     ),
 )
 
@@ -143,10 +143,8 @@ def _column(name: str, head: Sequence[str], path: Path) -> tuple[int, float]:
 
 
 def _number(cell: str, separator: str | None, what: str, path: Path) -> float:
-    # Where commas separate nothing, they are decimal commas.
+    # Commas that do not separate columns are decimal commas.
     value = value_in(cell if separator == "," else cell.replace(",", "."))
     if value is None or not math.isfinite(value):
-        raise InputError(
-            "path", str(path), f"have a number as {what}, not {cell!r}", "correct it, or take the line out"
-        )
+        raise InputError("path", str(path), f"have a number as {what}, not {cell!r}", "correct it, or delete the line")
     return value

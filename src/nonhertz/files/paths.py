@@ -1,8 +1,8 @@
 """Single values of a case file or a bearing file, named by dotted paths such as ``body.a.profile.drop``.
 
-Which paths there are follows from the fields of inputs and from what the document holds: the kind of a profile decides
-which keys it can have. Where a list has several tables, as a profile that is a sum, the position is part of the path,
-``body.a.profile[2].radius``; it may be left out where only one of them can have the key.
+The paths follow from the fields of inputs and from the document: the kind of a profile decides which keys it can have.
+In a list of several tables, such as a sum of profiles, the position is part of the path, ``body.a.profile[2].radius``;
+it may be left out if only one of them can have the key.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from nonhertz.model.profile import PARAMETERS
 
 Keys = tuple[str | int, ...]
 
-#: Keys of tables that say what a table is; unless they are a choice of words, they are not to be varied on their own.
+#: Keys that define a table; unless they are a choice of words, they cannot be varied on their own.
 _NAMES = ("kind", "format")
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One value of a document, whether it is there or could be.
+    """One value that a document has or could have.
 
     Attributes
     ----------
@@ -37,12 +37,11 @@ class Parameter:
     keys : tuple of str and int
         The same in parts; positions in lists count from 1.
     unit : str or None
-        Base unit of a number, ``""`` of one without a unit; None of a word or a switch, and of a whole
-        profile.
+        Base unit of a number, ``""`` if it has none; None for a word, a switch or a whole profile.
     whole : bool
         Whether it must be a whole number.
     others : tuple of str
-        Keys beside it in place of which it is given.
+        Keys of the same table that it excludes.
     """
 
     path: str
@@ -61,7 +60,7 @@ class Parameter:
     def put(self, document: Mapping[str, Any], value: Any) -> dict[str, Any]:
         """Return a document with another value; tables that are missing are made.
 
-        The drop of a profile takes the place of the parameter that it determines; None takes the value out.
+        The drop of a profile replaces the parameter that it determines; None removes the value.
         """
         if value is None:
             return self.removed(document)
@@ -73,14 +72,14 @@ class Parameter:
         return changed
 
     def drop_beside(self, document: Mapping[str, Any]) -> str:
-        """Return the path of the drop that a document gives in place of this value; empty if it gives none."""
+        """Return the path of the drop that replaces this value in a document; empty if there is none."""
         others = [other for other in self._by_drop(document) if other.keys != self.keys]
         drop = self._beside("drop")
         determined = len(others) < len(self._by_drop(document)) and drop.value_in(document) is not None
         return drop.path if determined and all(other.value_in(document) is not None for other in others) else ""
 
     def replaced_in(self, document: Mapping[str, Any]) -> list[str]:
-        """Return the paths of what a document gives in place of this value."""
+        """Return the paths of the values that replace this one in a document."""
         others = [other.path for other in map(self._beside, self.others) if other.value_in(document) is not None]
         return [*others, *filter(None, [self.drop_beside(document)])]
 
@@ -88,12 +87,12 @@ class Parameter:
         return Parameter(f"{self.path.rpartition('.')[0]}.{name}", (*self.keys[:-1], name), None)
 
     def _by_drop(self, document: Mapping[str, Any]) -> list[Parameter]:
-        """Return the parameters of a profile of which its drop determines the first that is not given."""
+        """Return the parameters of a profile; its drop determines the first one that is not given."""
         kind = self._beside("kind").value_in(document)
         return [self._beside(name) for name in (PARAMETERS[kind].by_drop if kind in PARAMETERS else ())]
 
     def removed(self, document: Mapping[str, Any]) -> dict[str, Any]:
-        """Return a document without the value; one that has none stays as it is."""
+        """Return a document without the value; unchanged if it has none."""
         *place, last = self.keys
         table: Any = document
         for key in place:
@@ -105,14 +104,14 @@ class Parameter:
 
 
 def list_parameters(document: Mapping[str, Any], kind: Any) -> dict[str, Parameter]:
-    """Return all that can be varied in a document, by path.
+    """Return all parameters of a document, by path.
 
     Parameters
     ----------
     document : mapping
-        What a case file or a bearing file holds.
+        Contents of a case file or a bearing file.
     kind : type
-        The class of what it holds, `CaseDocument` or `BearingFile`.
+        The class of its contents, `CaseDocument` or `BearingFile`.
     """
     entries = [*_in_tables(document, (table_of(kind),), ())]
     ways = [(keys, entry) for entry in entries for keys in _without_positions(entry.keys)]
@@ -142,7 +141,7 @@ def body_tables(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str,
 
 
 def drop_before_parameters(values: Mapping[str, Any]) -> list[tuple[str, Any]]:
-    """Return values by path in the order in which to put them: none takes the place of another."""
+    """Return values by path, drops first: in this order none replaces another."""
     return sorted(values.items(), key=lambda item: not str(item[0]).endswith(".drop"))
 
 
@@ -152,7 +151,7 @@ def find_parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     Raises
     ------
     InputError
-        If there is none; the nearest is named.
+        If there is no such parameter; the nearest is named.
     """
     if not isinstance(path, str):
         raise InputError("path", path, "be a dotted path", "write it as in the file, such as 'load.load'")
@@ -163,7 +162,7 @@ def find_parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     if whole and table in known and known[table].unit is None:  # such as the name of a material
         remedy = f"'{table}' is one word in this file; set that to another, or to a table with '{last}' in it"
         raise InputError(path, path, "be an input of the file", remedy)
-    # The right key in the wrong table is likelier than a table that is spelled like another.
+    # The right key in the wrong table is more likely than a misspelled table.
     key = nearest(last, {known_path.rpartition(".")[2]: known_path for known_path in known})
     alike = [known_path for known_path in known if known_path.rpartition(".")[2] == key]
     meant = difflib.get_close_matches(path, alike, n=1, cutoff=0.0)
@@ -171,7 +170,7 @@ def find_parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
 
 
 def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Parameter]:
-    """Yield all that a value, one of these tables, holds or could hold."""
+    """Yield all parameters of a value, which is one of these tables."""
     if any(table.kinds for table in tables):
         yield Parameter("", (*keys, "kind"), None)
     for name, key in dict(chain.from_iterable(table.keys.items() for table in tables)).items():
@@ -185,7 +184,7 @@ def _in_tables(value: Any, tables: Sequence[Table], keys: Keys) -> Iterator[Para
 
 
 def _within(value: Any, key: Key, keys: Keys) -> Iterator[Parameter]:
-    """Yield what the tables at a key hold or could hold."""
+    """Yield all parameters of the tables at a key."""
     if isinstance(value, list) and key.several:
         for position, entry in enumerate(value, start=1):
             if isinstance(entry, dict):

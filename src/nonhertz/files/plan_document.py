@@ -47,7 +47,7 @@ def _flatten_table(name: str, value: Any, remedy: str) -> dict[str, Any]:
 
 
 def _by_paths(meaning: str) -> Custom:
-    """Return what describes a table of values by path."""
+    """Return the description of a table of values by path."""
     return Custom(meaning, _flatten_table, _VARIED, _REMEDY)
 
 
@@ -66,7 +66,7 @@ class DesignLoad(Input):
 
 @input_class(kw_only=True)
 class DesignGoal(Input):
-    """What a design is best for."""
+    """The goal of a design, and its constraints."""
 
     goal: Annotated[
         str | None,
@@ -95,12 +95,12 @@ class DesignGoal(Input):
     ] = ()
     where: Annotated[
         Mapping[str, Any],
-        _by_paths("what must hold under every load, such as approach = 'at most 30 um'"),
+        _by_paths("limits that must be met under every load, such as approach = 'at most 30 um'"),
     ] = field(default_factory=dict)
 
     @property
     def keywords(self) -> dict[str, Any]:
-        """What is given: keywords of `nonhertz.optimize`."""
+        """The given values, as keywords of `nonhertz.optimize`."""
         model = None if self.model is None else fatigue_model(self.model)
         keywords = {"goal": self.goal, "model": model, "n_starts": self.starts, "loads": self._cases or None}
         return {"constraints": self.where} | {name: value for name, value in keywords.items() if value is not None}
@@ -131,24 +131,20 @@ class PlanDocument(Input):
         ),
     ]
     over: Annotated[
-        Mapping[str, Any], _by_paths("of a sweep: what each path of the case runs over; all combinations are rows")
+        Mapping[str, Any], _by_paths("sweep: the values of each path of the case; all combinations are rows")
     ] = field(default_factory=dict)
     vary: Annotated[
-        Mapping[str, Any], _by_paths("of a design: lowest and highest value of each path that it may choose")
+        Mapping[str, Any], _by_paths("design: lowest and highest value of each path that may be chosen")
     ] = field(default_factory=dict)
-    design: Annotated[DesignGoal, Part("what the design is best for", DesignGoal, "give a table")] = field(
+    design: Annotated[DesignGoal, Part("goal and constraints of the design", DesignGoal, "give a table")] = field(
         default_factory=DesignGoal
     )
-    tolerance: Annotated[
-        Mapping[str, Any], _by_paths("of a tolerance study: the distribution of each path of the case")
-    ] = field(default_factory=dict)
-    samples: Annotated[Sampling, Part("how samples are drawn from distributions", Sampling, "give a table")] = (
-        Sampling()
+    tolerance: Annotated[Mapping[str, Any], _by_paths("tolerance study: the distribution of each path of the case")] = (
+        field(default_factory=dict)
     )
+    samples: Annotated[Sampling, Part("sampling of distributions", Sampling, "give a table")] = Sampling()
     limits: Annotated[
         Mapping[str, Any],
-        _by_paths("of a tolerance study: what results stay within, such as max_pressure = 'at most 3800 MPa'"),
+        _by_paths("tolerance study: limits of results, such as max_pressure = 'at most 3800 MPa'"),
     ] = field(default_factory=dict)
-    quantities: Annotated[
-        Any, Custom("the numbers that a row holds; the usual ones if left out", _as_given, _TEXTS)
-    ] = ()
+    quantities: Annotated[Any, Custom("the quantities in a row; the usual ones if left out", _as_given, _TEXTS)] = ()

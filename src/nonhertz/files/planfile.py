@@ -1,4 +1,4 @@
-"""Plan files: a case or a bearing, and what of it is varied.
+"""Plan files: a case or a bearing, and the inputs that are varied.
 
 All mistakes in a file are found at once and raised together.
 """
@@ -30,14 +30,14 @@ from nonhertz.inputs.checks import check_list, is_number, one_of
 from nonhertz.inputs.files import printable_name, relative_path
 from nonhertz.inputs.units import begins_with_digits, to_unit
 
-#: The tables of a plan that say what is varied: in a sweep, and within tolerances.
+#: The tables of a plan with the inputs that are varied: in a sweep, and within tolerances.
 LOAD = "load.load"
 _DESIGN = "# nonhertz design: what may be chosen"
 _LOADS = (LOAD, "load.approach", "load.radial", "load.axial")
 TABLES = ("over", "tolerance")
 DESIGN = "vary"
-_WAY_OUT = "change these values, or what the case holds beside them"
-TRIED = 50  # values of a list that are tried before the work starts
+_WAY_OUT = "change these values, or related inputs of the case"
+TRIED = 50  # values of a list that are checked before the work starts
 
 
 @dataclass(frozen=True)
@@ -47,11 +47,11 @@ class Template:
     Attributes
     ----------
     document : dict
-        What the file holds.
+        Contents of the file.
     path : Path
-        Where it is; the names of other files are relative to it.
+        The file; the names of other files are relative to it.
     is_bearing : bool
-        Whether it holds a bearing rather than a single contact.
+        Whether it is a bearing rather than a single contact.
     """
 
     document: dict[str, Any]
@@ -60,7 +60,7 @@ class Template:
 
     @cached_property
     def known(self) -> Mapping[str, Parameter]:
-        """All values that it holds or could hold, by path."""
+        """All parameters of the document, by path."""
         return list_parameters(self.document, (BearingCase if self.is_bearing else Case).contents)
 
     def put(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -76,13 +76,13 @@ class Template:
         Raises
         ------
         InputError
-            If there is none, or the case gives the drop of a profile in its place.
+            If there is none, or the drop of a profile replaces it in the case.
         """
         varied = find_parameter(path, self.known)
         drop = varied.drop_beside(self.document)
         if drop:
-            condition = f"not be varied beside {drop}, which the case gives in its place"
-            raise InputError(path, value, condition, "vary it, or take it out of the case")
+            condition = f"not be varied beside {drop}, which replaces it in the case"
+            raise InputError(path, value, condition, "vary that, or remove it from the case")
         return varied
 
     def case(self, values: Mapping[str, Any]) -> Case | BearingCase:
@@ -91,21 +91,21 @@ class Template:
         Raises
         ------
         CaseError
-            If a file could not hold them.
+            If the case is not valid with these values.
         """
         return self.of_document(self.put(values))
 
     def is_unloaded(self, values: Mapping[str, Any]) -> bool:
-        """Return whether the load is among the values, and zero: what no file may hold, but rows may come down to."""
+        """Return whether the load is among the values and zero, which rows allow, but not files."""
         return not self.is_bearing and values.get(LOAD) == 0.0
 
     def of_document(self, document: dict[str, Any]) -> Case | BearingCase:
-        """Return the case of a document that has been made of this one.
+        """Return the case of a document derived from this one.
 
         Raises
         ------
         CaseError
-            If a file could not hold it.
+            If the case is not valid.
         """
         with without_accuracy_warnings():
             return (BearingCase if self.is_bearing else Case).of(document, self.path)
@@ -113,29 +113,29 @@ class Template:
 
 @dataclass(frozen=True, repr=False)
 class Plan(Document):
-    """A case or a bearing, and what of it is varied.
+    """A case or a bearing, and the inputs that are varied.
 
     Parameters
     ----------
     case : Case or BearingCase
-        What is varied.
+        The case that is varied.
     over : mapping
-        What each path of its file runs over, such as ``{"load.load": "5 kN : 40 kN : 8"}``: a range, a list or an array
-        of values, or a distribution to draw samples from. All combinations are rows, the last path changing fastest;
-        samples of all distributions are drawn together and come last.
+        The values of each path of its file, such as ``{"load.load": "5 kN : 40 kN : 8"}``: a range, a list or an array
+        of values, or a distribution from which samples are drawn. All combinations are rows, the last path changing
+        fastest; samples of all distributions are drawn together and come last.
     samples : Sampling
         How samples are drawn.
     quantities : tuple of str
-        Names of the numbers that a row holds; the usual ones if empty.
+        Names of the quantities in a row; the usual ones if empty.
     limits : mapping
-        What quantities are to stay within in a tolerance study, such as ``{"max_pressure": "at most 3800 MPa"}``.
+        Limits of quantities in a tolerance study, such as ``{"max_pressure": "at most 3800 MPa"}``.
     title, path, origin
         As of `Document`; the title of the case if there is none.
 
     Raises
     ------
     InputError
-        If a path leads nowhere, or what it runs over is empty, not in its unit, or more than the case allows.
+        If a path does not exist, or its values are missing, not in its unit, or not valid in the case.
 
     Examples
     --------
@@ -163,7 +163,7 @@ class Plan(Document):
         if not isinstance(self.case, Case | BearingCase):
             remedy = "read one with nonhertz.read_case or nonhertz.read_bearing"
             raise InputError("case", self.case, "be a case or a bearing case", remedy)
-        remedies = {"over": "map paths to what they run over", "limits": "map quantities to 'at most 3800 MPa', say"}
+        remedies = {"over": "map paths to values", "limits": "map quantities to limits such as 'at most 3800 MPa'"}
         for name, remedy in remedies.items():
             mapping = getattr(self, name)
             if not isinstance(mapping, Mapping) or not all(isinstance(key, str) for key in mapping):
@@ -180,9 +180,9 @@ class Plan(Document):
         spreads = {path: self.read_spread(path, values) for path, values in self.over.items()}
         object.__setattr__(self, "spreads", spreads)
 
-    #: What each path runs over: values in its base unit, or a distribution.
+    #: Values in the base unit, or a distribution, by path.
     spreads: Mapping[str, Spread] = field(init=False, repr=False, compare=False)
-    #: The case's file, with other values wherever a row has them.
+    #: The file of the case, from which rows are made.
     template: Template = field(init=False, repr=False, compare=False)
 
     @classmethod
@@ -196,8 +196,8 @@ class Plan(Document):
     ) -> Plan:
         """Return the plan in a document that has already been parsed.
 
-        All of its tables are read, whichever says what is varied. ``changes`` are values in place of those in the file
-        of its case.
+        All of its tables are read, not only ``table``. ``changes`` are values in place of those in the file of its
+        case.
 
         Raises
         ------
@@ -243,7 +243,7 @@ class Plan(Document):
         return {"case": relative_path(self.path.parent, self.case.path).as_posix()} | rest
 
     def _written(self, folder: Path) -> dict[str, Any]:
-        """Return its document with all tables of its file, and the way to its case from a folder."""
+        """Return its document with all tables of its file, and the path of its case relative to a folder."""
         return self.document_in(folder)
 
     def changed(
@@ -254,24 +254,24 @@ class Plan(Document):
         quantities: tuple[str, ...] | None = None,
         limits: Mapping[str, Any] | None = None,
     ) -> Plan:
-        """Return the plan with other parts; those that are None stay.
+        """Return the plan with other parts; None keeps a part.
 
         Raises
         ------
         InputError
-            As the class does.
+            As for the class.
         """
         parts = {"over": over, "samples": samples, "quantities": quantities, "limits": limits}
         changes: dict[str, Any] = {name: value for name, value in parts.items() if value is not None}
         return replace(self, **changes) if changes else self
 
     def read_spread(self, path: str, values: Any) -> Spread:
-        """Return what a path runs over, if the case allows its ends.
+        """Return the values or the distribution of a path, if its ends are valid in the case.
 
         Raises
         ------
         InputError
-            As the class does.
+            As for the class.
         """
         which = self.template.find_varied(path, values)
         spread = parse_spread(which, values, self.template.document)
@@ -282,7 +282,7 @@ class Plan(Document):
                 self.template.case({path: value})
             except CaseError as error:
                 shown = value if isinstance(value, str | bool) else str(amount(value, which.unit or ""))
-                condition = f"stay within what the case allows (at {shown}: {error.mistakes[0].rstrip('.')})"
+                condition = f"be valid in the case (at {shown}: {error.mistakes[0].rstrip('.')})"
                 raise InputError(path, values, condition, _WAY_OUT) from None
         return spread
 
@@ -295,7 +295,7 @@ def _read_case(name: str, plan: Path, changes: Mapping[str, Any] | None) -> Case
 
 
 def _values_to_try(spread: Spread) -> Iterator[Any]:
-    """Yield the values of a spread that are tried before the work starts."""
+    """Yield the values of a spread that are checked before the work starts."""
     if isinstance(spread, Distribution):
         yield from spread.ends
     elif len(spread) <= TRIED or any(isinstance(value, str) for value in spread):
@@ -305,7 +305,7 @@ def _values_to_try(spread: Spread) -> Iterator[Any]:
 
 
 def read_any(path: str | Path, changes: Mapping[str, Any] | None = None) -> Case | BearingCase:
-    """Return the case or the bearing in a file, whichever it holds, with other values by path.
+    """Return the case or the bearing in a file, with other values by path.
 
     Raises
     ------
@@ -337,24 +337,24 @@ def read_plan(path: str | Path, table: str = "over") -> Plan:
     path : str or Path
         A TOML file; see docs/reference/plan-file.md.
     table : {"over", "tolerance"}
-        Which of its tables says what is varied: that of sweeps or that of tolerances.
+        Its table with the inputs that are varied: for sweeps or for tolerance studies.
 
     Raises
     ------
     CaseError
-        With every mistake in the file, one sentence each; those of the case it names, with that file's name.
+        With every mistake in the file, one sentence each; mistakes in its case with the name of that file.
     InputError
         If ``path`` is not the name of a file.
     """
-    one_of("table", table, TABLES, "name the one that is meant")
+    one_of("table", table, TABLES, "choose one of them")
     return Plan.of(*load_document(path, "plan"), table=table)
 
 
 def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path()) -> str:
     """Return a commented plan to start from, with a table for each command.
 
-    For a case it varies what that has: around its load, a diameter and a number of its profile. A folder is where the
-    plan will be.
+    For a case it varies the load, a diameter and a number of its profile around their values. ``folder`` is that of the
+    plan.
     """
     text = starting_text("starting_plan.toml")
     if case is None:
@@ -370,7 +370,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
     )
     name = relative_path(folder, case.path).as_posix()
     around_load = _range_around(template, load, numbers[load], 0.25, 2.0)
-    # What stands in place of a line of the text, up to its comment; None for nothing.
+    # Replacements of lines of the text, up to their comments; None removes a line.
     own: dict[str, str | None] = {
         "title": f"title = {json.dumps(case.title, ensure_ascii=False)}",
         "case": f"case = {json.dumps(name, ensure_ascii=False)}",
@@ -393,7 +393,7 @@ def starting_plan(case: Case | BearingCase | None = None, folder: Path = Path())
 
 
 def _replace_lines(text: str, lines: Mapping[str, str | None]) -> str:
-    """Return a text of TOML with other lines, by key, and their comments beside them; None takes a line out."""
+    """Return a TOML text with lines replaced, by key, keeping their comments; None removes a line."""
     whole = []
     for line in text.splitlines():
         written, _, comment = line.partition("#")
@@ -406,7 +406,7 @@ def _replace_lines(text: str, lines: Mapping[str, str | None]) -> str:
 
 
 def _widest_range(plan: Plan, path: str, value: float) -> str:
-    """Return a range around a number that the case allows."""
+    """Return a range around a number that is valid in the case."""
     bounds = _range_around(plan.template, path, value, 0.2, 4.0)
     try:
         plan.read_spread(path, f"{bounds} : 2")
@@ -416,7 +416,7 @@ def _widest_range(plan: Plan, path: str, value: float) -> str:
 
 
 def _list_numbers(template: Template) -> Iterator[tuple[str, float]]:
-    """Yield path and value of the numbers with a unit that a document gives, none of them zero."""
+    """Yield path and value of the numbers in a document that have a unit and are not zero."""
     for path, known in template.known.items():
         value = known.value_in(template.document)
         if known.unit and (is_number(value) or (isinstance(value, str) and begins_with_digits(value))):
@@ -432,7 +432,7 @@ def _range_around(template: Template, path: str, value: float, low: float, high:
 
 
 def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> tuple[Case, dict[str, Any]]:
-    """Return the case of a plan and what it says about a design: keywords for `nonhertz.optimize`.
+    """Return the case of a plan, and the keywords for `nonhertz.optimize`.
 
     ``changes`` are values in place of those in the file of its case, by path.
 
@@ -449,16 +449,16 @@ def read_design(path: str | Path, changes: Mapping[str, Any] | None = None) -> t
 def parse_design(
     document: dict[str, Any], path: Path, text: str | None = None, changes: Mapping[str, Any] | None = None
 ) -> tuple[Case, dict[str, Any]]:
-    """Return the case of a plan in a document and what it says about a design.
+    """Return the case of a plan in a document, and the keywords for `nonhertz.optimize`.
 
     Raises
     ------
     CaseError
         With every mistake in the document.
     """
-    # All that is wrong with the rest of the plan is said, too.
+    # Mistakes in the rest of the plan are reported as well.
     case = Plan.of(document, path, text, changes=changes).case
     if not isinstance(case, Case):
-        raise CaseError(["case must be that of a single contact for a design: a bearing is swept over."], ["case"])
+        raise CaseError(["case must be a single contact for a design: a bearing can only be swept."], ["case"])
     contents = read_input(PlanDocument, document)
     return case, {"bounds": contents.vary} | contents.design.keywords

@@ -53,18 +53,18 @@ PROFILE: Final = (
     *within(
         "measured",
         Key("name", "the measured file", get="trace.name", holds="string"),
-        Key("notes", "how it was read", get="trace.notes", holds=ListOf("string")),
+        Key("notes", "notes on how it was read", get="trace.notes", holds=ListOf("string")),
         Key(
             "steps", "name and words of each step, and its numbers", _STEPS, holds=ListOf("object"),
             get=lambda measured: [{"name": step.name, "words": step.words, **step.numbers} for step in measured.states],
         ),
         Key("gaps", "from and to of stretches without points", "mm", "points.gaps", ListOf(ListOf(count=2))),
-        Key("roughness", "what smoothing takes away", holds=_ROUGHNESS),
+        Key("roughness", "roughness that smoothing removes", holds=_ROUGHNESS),
     ),
     Key("fits", "fitted profiles, best first", holds=ListOf(_FIT)),
     *within(
         "measured",
-        Key("warnings", "what is doubtful, a sentence each", holds=ListOf("string")),
+        Key("warnings", "warnings, a sentence each", holds=ListOf("string")),
         Key("y", "points of the profile", "mm", "points.y", ListOf()),
         Key("relief", "relief at these", "mm", holds=ListOf()),
     ),
@@ -86,7 +86,7 @@ def as_table(measured: Measured) -> str:
 
 @display_units("si")
 def as_case(file: Path, values: Mapping[str, Any], measured: Measured, fits: Sequence[ProfileFit] = ()) -> str:
-    """Return the line of a case file that makes this profile, with alternatives that come close as comments.
+    """Return the line of a case file for this profile, with close alternatives as comments.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def files(
     Parameters
     ----------
     directory : Path
-        Where they will be: the case file's path to the measured file is relative to it.
+        Their directory, to which the path of the measured file is relative.
     file : Path
         The measured file.
     values : mapping
@@ -144,5 +144,5 @@ def files(
 
 
 def _table(entries: Mapping[str, Any]) -> str:
-    # Numbers, booleans and strings are written alike in JSON and TOML; the keys need no quotes.
+    # Numbers, booleans and strings are the same in JSON and TOML; the keys need no quotes.
     return "{ " + ", ".join(f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in entries.items()) + " }"

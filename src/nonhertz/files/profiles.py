@@ -1,7 +1,6 @@
 """Profile tables of a case file: from ``{ kind = "crown", radius = 4000.0 }`` to a `Profile`.
 
-The functions of the catalogue say which parameters a kind takes; none of that is repeated here, so that a kind added to
-the catalogue works in files at once.
+The parameters of a kind come from its function in the catalogue, so that a kind added there works in files at once.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ _TABULATED: Final = "tabulated"
 
 @input_class(kw_only=True)
 class Moves(Input):
-    """How a profile is changed as a whole, whatever its kind."""
+    """Changes of a whole profile of any kind."""
 
     shift: Annotated[float | None, Quantity("mm", "how far to move the profile towards positive y")] = None
     scale: Annotated[float | None, Quantity("", "factor on the relief")] = None
@@ -49,21 +48,21 @@ class Moves(Input):
 
 @input_class(kw_only=True)
 class Changes(Moves):
-    """What the table of a kind of the catalogue may have beside its parameters."""
+    """Keys of the table of a kind of the catalogue in addition to its parameters."""
 
     drop: Annotated[
         float | None,
         Quantity(
             "mm",
-            "how much more relief there is at a place than in the middle of the body, in place of the parameter that "
-            "this determines, or of the scale",
+            "relief at a position less that in the middle of the body; replaces the parameter that it determines, or "
+            "the scale",
         ),
     ] = None
     at: Annotated[
         float | None,
         Quantity(
             "mm",
-            "the place of the drop, from the middle of the body; the end of the land if left out",
+            "position of the drop, from the middle of the body; the end of the land if left out",
             off_the_middle,
             AT_REMEDY,
         ),
@@ -83,7 +82,7 @@ class PointsFile(ProfileKind):
     file: Annotated[
         str,
         Word(
-            "text file of two columns, y and relief [mm], in place of the lists; its path is relative to the case file",
+            "text file of two columns, y and relief [mm], instead of the lists; its path is relative to the case file",
             "name it in quotes",
             condition=text,
         ),
@@ -93,19 +92,19 @@ class PointsFile(ProfileKind):
     instead: ClassVar[Mapping[str, str]] = {"y": "file", "relief": "file"}
 
     def profile(self, folder: Path) -> Profile:
-        """Return the profile in the file, whose name is relative to a folder."""
+        """Return the profile in the file; its name is relative to a folder."""
         return from_file(folder / self.file, self.interpolation)
 
 
 def _add_changes(cls: type[ProfileKind]) -> type[ProfileKind]:
-    """Return what a table of a kind may hold: its parameters, and what every kind may have beside them."""
+    """Return the class of the table of a kind: its parameters, and the keys that all kinds have."""
     around = Moves if cls is MeasuredProfile else Changes
     made: type[ProfileKind] = input_class(kw_only=True)(type(cls.__name__, (around, cls), {"__doc__": cls.__doc__}))
     made.cross_checks = cls.cross_checks + around.cross_checks
     return made
 
 
-#: What the tables of each kind hold.
+#: The classes of the tables of each kind.
 KINDS: Final = {word: _add_changes(cls) for word, cls in {**PARAMETERS, KIND: MeasuredProfile}.items()}
 _OF_FILE: Final = _add_changes(PointsFile)
 
@@ -116,11 +115,11 @@ def read_profile(value: Any, body: Mapping[str, Any], file: ReadContext) -> Prof
     Parameters
     ----------
     value : object
-        What the case file holds.
+        Value in the case file.
     body : mapping
         The keys of the body that have been read so far; an invalid one is absent.
     file : ReadContext
-        Directory that file names are relative to, and the combined radius.
+        Directory to which file names are relative, and the combined radius.
 
     Raises
     ------
@@ -138,19 +137,19 @@ def read_profile(value: Any, body: Mapping[str, Any], file: ReadContext) -> Prof
 
 
 def profile_tables(body: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the profiles of a body's table as a list, even where the file gives none or a single table."""
+    """Return the profiles of a body's table as a list, even if the file has none or a single table."""
     value = body.get("profile", [])
     return [value] if isinstance(value, dict) else list(value)
 
 
 def keys_of(kind: str) -> dict[str, Description]:
-    """Return the keys that a table of a kind may have beside that."""
+    """Return the keys that a table of a kind may have, except its kind."""
     file = {"file": PointsFile.descriptions["file"]} if kind == _TABULATED else {}
     return {**KINDS[kind].descriptions, **file}
 
 
 def needed_keys(kind: str) -> list[str]:
-    """Return those of them that a table must have, if it gives no drop in place of one of them."""
+    """Return the keys that a table of a kind must have, unless a drop replaces one of them."""
     cls = KINDS[kind]
     return [
         name for name in cls.descriptions if name in cls.without_default - cls.of_body.keys() and kind != _TABULATED
@@ -158,7 +157,7 @@ def needed_keys(kind: str) -> list[str]:
 
 
 def meaning_of(kind: str) -> str:
-    """Return what a kind of profile is, as its function says it."""
+    """Return the meaning of a kind of profile, from the docstring of its function."""
     return re.sub(
         r"^(Return )?(the|an?) ", "", (inspect.getdoc(KINDS[kind]) or "").partition("\n")[0], flags=re.IGNORECASE
     )
@@ -178,7 +177,7 @@ def _dimensions(body: Mapping[str, Any], radius: Any) -> dict[str, Any]:
     -------
     dict
         ``length`` and ``diameter`` of the body, the length of its ``land`` between corners or within its effective
-        length, the combined ``radius``, and ``at``, where its land ends, all in mm.
+        length, the combined ``radius``, and ``at``, the end of its land, all in mm.
     """
     length, diameter = body.get("length", INVALID), body.get("diameter", INVALID)
     across = _diameter_normal_to_cone(diameter, length) if isinstance(diameter, TabulatedDiameter) else diameter
@@ -201,7 +200,7 @@ def _diameter_normal_to_cone(diameter: TabulatedDiameter, length: Any) -> float:
 
 
 def _land_end(body: Mapping[str, Any]) -> Any:
-    """Return where the corners of a body begin [mm] or, without any, where it can no longer touch."""
+    """Return the position [mm] at which the corners of a body begin or, without any, its effective length ends."""
     names = ("length", "effective_length", "corner_radius", "chamfer")
     length, effective, corner, chamfer = (body.get(name, INVALID) for name in names)
     if any(size is INVALID for size in (length, effective, corner, chamfer)):
@@ -210,7 +209,7 @@ def _land_end(body: Mapping[str, Any]) -> Any:
     if whole is None:
         return None
     taken = corner or (0.0 if chamfer is None else chamfer.length)
-    # Corners that leave no land are a mistake of the body.
+    # Corners that leave no land are a mistake in the body.
     return 0.5 * whole - taken if 0.5 * whole > taken else INVALID
 
 
@@ -226,7 +225,7 @@ def _read_table(table: Any, body: Mapping[str, Any], file: ReadContext) -> Profi
 
 
 class _ProfileReader(TableReader):
-    """A table that is being read, of whose parameters some are taken from the body, and a drop may determine one."""
+    """A table that is being read; some parameters may come from the body, and one from a drop."""
 
     cls: type[ProfileKind]
 
@@ -235,16 +234,16 @@ class _ProfileReader(TableReader):
         known = tuple(name for name in cls.instead if name not in cls.descriptions)
         super().__init__(cls, {name: table[name] for name in table if name != "kind"}, file, (), known=known)
         self.by_drop = "drop" in self.table and "drop" in self.fields
-        # A drop at the end of the land is finite, so that a logarithm with it has to end farther out.
+        # A drop at the end of the land is finite, so that its logarithm must end farther out.
         self.kind, self.body = kind, {**body, "land": body["length"]} if self.by_drop else body
-        #: What a drop determines.
+        #: The parameter that a drop determines.
         self.free = (
             parameter_from_drop(kind, {*self.table, *self.wrong}) if self.by_drop or "drop" in self.wrong else None
         )
 
     @property
     def own(self) -> dict[str, Any]:
-        """The parameters of the kind that are good."""
+        """The valid parameters of the kind."""
         return {name: value for name, value in self.values.items() if name not in Changes.descriptions}
 
     def build_profile(self) -> Profile:
@@ -270,7 +269,7 @@ class _ProfileReader(TableReader):
 
     def note_missing(self, name: str) -> None:
         """Take a parameter from the body if that has it."""
-        # Fujiwara and Kawase need a radius only where the relief at the end is not given.
+        # Fujiwara and Kawase need a radius only if the relief at the end is not given.
         needed = name in self.cls.of_body and not (name == "radius" and (self.free == "zm" or "zm" in self.table))
         own = self.body.get(self.cls.of_body[name]) if needed else None
         if name == self.free or own is INVALID:
@@ -284,7 +283,7 @@ class _ProfileReader(TableReader):
                 self.note(error)
 
     def hint(self, name: str) -> str:
-        """Return what to do where a parameter is missing."""
+        """Return the remedy for a missing parameter."""
         if self.kind == _TABULATED:
             return "give the lists y and relief, or a file"
         has = "both bodies together have" if name == "radius" else "the body has"
@@ -292,7 +291,7 @@ class _ProfileReader(TableReader):
         return remedy + (f", unless {has} one" if name in self.cls.of_body else "")
 
     def _catch_mistake(self, make: Callable[[], Profile | None]) -> Profile | None:
-        """Return what is made, or note the mistake and return None."""
+        """Return the result of ``make``, or note the mistake and return None."""
         try:
             return make()
         except InputError as error:
@@ -325,7 +324,7 @@ class _ProfileReader(TableReader):
             raise InputError("file", name, "be the name of a file", "correct it") from None
 
     def _place_of_drop(self) -> Any:
-        """Return where the drop is [mm]; `INVALID` if that is not known."""
+        """Return the position of the drop [mm]; `INVALID` if it is unknown."""
         if self.free is None:
             condition = f"not be given together with {' and '.join(self.cls.by_drop)}"
             self.note(InputError("drop", self.table["drop"], condition, "leave one out"))
@@ -333,7 +332,7 @@ class _ProfileReader(TableReader):
         if "at" in self.wrong:
             return INVALID
         if at is None:
-            remedy = "give the place of the drop in mm, because the body has no length"
+            remedy = "give the position of the drop in mm, because the body has no length"
             self.mistakes.append(missing_key_error("at", remedy))
             return INVALID
         if isinstance(length, float) and isinstance(at, float):

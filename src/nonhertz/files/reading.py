@@ -1,7 +1,7 @@
-"""Reading inputs from the tables of files, by what their fields say.
+"""Reading inputs from the tables of files, by the descriptions of their fields.
 
-A file's mistakes are all found at once: every field is read, and those of its class's checks are made whose fields are
-good. Only then is the input made.
+All mistakes in a file are found at once: every field is read, then all checks of its class run whose fields are valid.
+Only then is the input made.
 """
 
 from __future__ import annotations
@@ -39,16 +39,16 @@ Likely = Callable[[Mapping[str, Any]], type[Input]]
 
 @dataclass(frozen=True)
 class ReadContext:
-    """What a table needs to know of its file.
+    """The context of a table in its file.
 
     Attributes
     ----------
     folder : Path or None
-        Directory that the names of files are relative to; None where no file may be read.
+        Directory to which the names of files are relative; None if no file may be read.
     radius : object
-        Combined radius of both bodies across the contact [mm], for profiles; None or `INVALID` where there is none.
+        Combined radius of both bodies across the contact [mm], for profiles; None or `INVALID` if there is none.
     read_profile : callable, optional
-        Returns the profile of a body: from what stands in the file, the body's fields that are good, and this.
+        Returns the profile of a body, from its value in the file, the valid fields of the body, and this context.
     """
 
     folder: Path | None = None
@@ -68,15 +68,15 @@ def read_input(
     Parameters
     ----------
     cls : type
-        Its class; where that has kinds, what it is of where its kind is not known.
+        Its class; if that has kinds, the class for an unknown kind.
     table : object
-        What the file holds.
+        Value in the file.
     file : ReadContext
-        What else the file says.
+        Context in the file.
     place : tuple
-        Where the table is, for the ways out.
+        Place of the table, for remedies.
     likely : callable, optional
-        What it is of where its table gives no kind; ``cls`` if left out.
+        The class if the table gives no kind; ``cls`` if left out.
 
     Raises
     ------
@@ -87,12 +87,12 @@ def read_input(
 
 
 def check_table(table: Any, place: Place) -> dict[str, Any]:
-    """Return what should be a table.
+    """Return a table.
 
     Raises
     ------
     InputError
-        If it is none.
+        If it is not a table.
     """
     if isinstance(table, dict):
         return table
@@ -101,16 +101,16 @@ def check_table(table: Any, place: Place) -> dict[str, Any]:
 
 
 class TableReader:
-    """A table that is being read: the values that are good, and the fields that are not.
+    """A table that is being read: its valid values, and its mistaken fields.
 
     Parameters
     ----------
     cls, table, file, place, likely
-        As of `read_input`.
+        As for `read_input`.
     beside : mapping
-        Fields that stand elsewhere in the file, and have been read; None for those that are wrong.
+        Fields from elsewhere in the file that have been read; None for invalid ones.
     known : sequence of str
-        Keys of the table that are no fields.
+        Keys of the table that are not fields.
     """
 
     def __init__(
@@ -132,7 +132,7 @@ class TableReader:
         keys = [*(["kind"] if cls.kinds else []), *(name for name in every if name not in beside), *known]
         strange = {name: nearest(name, keys) for name in table if name not in keys}
         self.mistakes += (unknown_key_error(path_of((name,)), table[name], keys) for name in strange)
-        # Someone who writes "lenght" has not forgotten the length.
+        # After "lenght" a missing length is not reported as well.
         self.wrong |= {*strange.values()} - {""}
         self.named = self._choose_class()
         #: Its fields, each with a class that has it.
@@ -151,7 +151,7 @@ class TableReader:
         self.read_fields()
         made = self.named
         if made is not None:
-            # Which fields go together is not known if the kind is unknown.
+            # Without a known kind, cross checks cannot be chosen.
             is_named, likely = "kind" in self.table and self.cls.kinds, self.likely or self.cls.likely
             made = self._class_of_word if is_named else likely(self.values)
         if made is not None:
@@ -162,7 +162,7 @@ class TableReader:
 
     def read_fields(self) -> None:
         """Read every field that is given."""
-        # What profiles leave out they take from their body, which is read before.
+        # Profiles take missing parameters from their body, which is read before.
         for name in sorted(self.fields, key=lambda name_: getattr(self._description(name_), "of", None) is Profile):
             if name in self.values:
                 continue
@@ -188,7 +188,7 @@ class TableReader:
             self.wrong.add(name)
 
     def read_value(self, name: str, written: Any) -> Any:
-        """Return what a field is given, with the inputs that its tables hold; errors are relative to it."""
+        """Return the value of a field, with inputs in place of tables; errors are relative to it."""
         description, inner = self._description(name), self.fields[name].inputs.get(name)
         match description, written:
             case Several(of=type() as of), _:
@@ -208,7 +208,7 @@ class TableReader:
         return self.fields[name].descriptions[name]
 
     def run_cross_checks(self, made: type[Input]) -> None:
-        """Make those checks whose fields are good."""
+        """Run the checks whose fields are valid."""
         for error in mutually_exclusive_errors(made, self.table):
             if error.field not in self.wrong:
                 self.note(error)
@@ -222,17 +222,17 @@ class TableReader:
                         self.note(mistake)
 
     def note(self, error: InputError) -> None:
-        """Note a mistake in a field, whose value counts no more."""
+        """Note a mistake in a field, and discard its value."""
         first, *rest = place_of(error.field)
         name, written = str(first), self.table.get(str(first))
-        # Text and profiles are shown as they were written, and what is missing not at all: TOML has no null.
+        # Text and profiles are shown as written, and missing values not at all: TOML has no null.
         shown = written if (isinstance(written, str) or isinstance(error.value, Profile)) and not rest else error.value
         shown = document_of(shown) if isinstance(shown, Input) else shown
         self.mistakes.append(error.about(error.field, shown))
         self.wrong.add(name)
 
     def hint(self, name: str) -> str:
-        """Return what to do where a field is missing."""
+        """Return the remedy for a missing field."""
         inner = self.fields[name].inputs.get(name)
         if inner is None:
             return f"give {describe_field(self._description(name))}"

@@ -42,16 +42,16 @@ _WAY_OUT = "give a result.json that Result.save, the command line or the page wr
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result(HasHtml):
-    """What a result file holds.
+    """The contents of a result file.
 
     Attributes
     ----------
     case : Case or BearingCase
-        What was solved; ``case.solve()`` solves it again.
+        The solved case; ``case.solve()`` solves it again.
     solution : Solution or BearingSolution
-        The solution, to the digits it was written with.
+        The solution, to the digits with which it was written.
     rated : tuple or None
-        The life of a bearing, or None and why it has none, if that is known; else it is rated when it is written.
+        The life of a bearing and "", or None and the reason why it has none; None if it is to be rated when written.
 
     Examples
     --------
@@ -76,19 +76,19 @@ class Result(HasHtml):
         return f"{type(self).__name__}({self.case.title!r}, {self.solution!r})"
 
     def to_json(self) -> str:
-        """Return the text of a result file, which is what ``solve --json`` and ``bearing --json`` print.
+        """Return the text of a result file, the same as ``solve --json`` and ``bearing --json`` print.
 
-        The case is part of it, which a solution alone does not know: which of its numbers were prescribed.
+        It includes the case, since a solution alone does not know which of its numbers were prescribed.
 
         Raises
         ------
         InputError
-            If the case has something that no file can hold; see ``Case.write``.
+            If the case cannot be written to a file; see ``Case.write``.
         """
         return self.texts()["result.json"].rstrip("\n")
 
     def save(self, folder: str | Path) -> tuple[Path, ...]:
-        """Write what ``nonhertz solve`` and ``nonhertz bearing`` write into a directory: result, tables and figures.
+        """Write result, tables and figures into a directory, as ``nonhertz solve`` and ``nonhertz bearing`` do.
 
         Parameters
         ----------
@@ -103,7 +103,7 @@ class Result(HasHtml):
         Raises
         ------
         InputError
-            If the case has something that no file can hold, or the folder cannot be written to.
+            If the case or the folder cannot be written.
         """
         import nonhertz  # figures are made beside files, not below them
 
@@ -118,10 +118,10 @@ class Result(HasHtml):
             raise error.about("folder", str(folder)) from None
 
     def texts(self) -> dict[str, str]:
-        """Return what `save` writes but figures, by file name: result.json and tables; raise what `to_json` does."""
+        """Return the texts of result.json and tables, by file name; raises as `to_json`."""
         if isinstance(self.case, Case) and isinstance(self.solution, Solution):
             return contact_results.files(self.solution, self.case)
-        # Imported here, like bearings below, since a contact needs nothing of them.
+        # Imported here, like bearings below, since contacts do not need them.
         from nonhertz.bearing.solution import BearingSolution
         from nonhertz.files import bearing_results
         from nonhertz.files.bearingfile import BearingCase
@@ -129,7 +129,7 @@ class Result(HasHtml):
         match self.case, self.solution:
             case BearingCase() as bearing, BearingSolution() as loaded:
                 return bearing_results.files(loaded, bearing, *(self.rated or bearing.rated(loaded)))
-        remedy = "give what the solve method of the case returned"
+        remedy = "give the result of the case's solve method"
         raise InputError("solution", type(self.solution).__name__, "be that of the case", remedy)
 
 
@@ -139,7 +139,7 @@ def read_result(path: str | Path) -> Result:
     Parameters
     ----------
     path : str or Path
-        A ``result.json``, or what ``nonhertz solve --json`` or ``nonhertz bearing --json`` printed.
+        A ``result.json``, or the output of ``nonhertz solve --json`` or ``nonhertz bearing --json``.
 
     Returns
     -------
@@ -239,7 +239,7 @@ def _bearing_solution(content: dict[str, Any], case: BearingCase) -> BearingSolu
         "each_rib_load": (count, -1), "roller_load": (count, 3), "displacement": (5,), "force": (5,),
         "stiffness": (5, 5), "edge_rollers": (-1,), "edge_stiffness": (3,),
     }  # fmt: skip
-    # Null becomes NaN: the stiffness at the edge of the load zone where no roller stands there.
+    # Null becomes NaN: the stiffness at the edge of the load zone if there is no roller.
     arrays: dict[str, Any] = {name: np.array(content[name], float).reshape(shape) for name, shape in shapes.items()}
     arrays["edge_rollers"] = arrays["edge_rollers"].astype(np.int64)
     numbers = {"residual": float(content["residual"]), "iterations": int(content["iterations"])}
@@ -269,7 +269,7 @@ def _member(label: str) -> str:
 
 
 def _number(value: float | None) -> float:
-    """Return a number, infinite where null was written: JSON has no infinity."""
+    """Return a number, infinite for null: JSON has no infinity."""
     return math.inf if value is None else float(value)
 
 
@@ -282,7 +282,7 @@ def _array(values: list[float | None]) -> np.ndarray[tuple[int], np.dtype[np.flo
 
 
 def _with_assumptions(case: AnyCase, contents: Mapping[str, Any]) -> AnyCase:
-    """Note what the file of a result says was assumed, if it says so, and return the case."""
+    """Return the case with the assumptions in the file of a result, if it lists any."""
     stored = contents.get("assumed")
     object.__setattr__(case, "stored_assumptions", None if stored is None else restore_assumptions(stored))
     return case

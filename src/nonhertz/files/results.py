@@ -1,4 +1,4 @@
-"""What files hold of results, in tables of keys, from which JSON, its units, its schema and its reference are made.
+"""Tables of the keys of result files, from which JSON, its units, its schema and its reference are made.
 
 A new number of a result is an entry in the table of its file.
 """
@@ -31,7 +31,7 @@ NUMBER: Final = ("number", "null")
 
 @dataclass(frozen=True)
 class ListOf:
-    """A list in JSON: what its entries are, as `Key.holds` says it, and how many, if that is the same in all files."""
+    """A list in JSON: the type of its entries, as in `Key.holds`, and their number, if it is the same in all files."""
 
     entry: Any = NUMBER
     count: int | None = None
@@ -39,7 +39,7 @@ class ListOf:
 
 @dataclass(frozen=True)
 class MapOf:
-    """An object in JSON whose names each file chooses: what it has under each, as `Key.holds` says it."""
+    """An object in JSON whose names differ from file to file: the type of its values, as in `Key.holds`."""
 
     entry: Any = NUMBER
 
@@ -53,17 +53,17 @@ class Key:
     name : str
         The key.
     meaning : str
-        What it is.
+        Its meaning.
     unit : str, list, mapping or None
-        Unit of its number or numbers; where each has its own, a list of them, or a mapping by name. If None, the keys
-        of the objects in it have theirs; if empty, they are as in the object around it.
+        Unit of its number or numbers; a list or a mapping by name if each has its own. If None, the keys of the objects
+        in it have units; if empty, they have those of the enclosing object.
     get : callable or str
-        Returns its value in the result; or the dotted path of the attribute that is, by default that of its name.
+        Returns its value in the result; or the dotted path of an attribute, by default its name.
     holds : str, tuple of str, list of str, mapping, tuple of Key, ListOf or MapOf
-        The type of its value in JSON, such as ``"string"``; types of which it is one; words of which it is one; its
-        schema; the keys of an object; or a list of any of these, or any of these by name.
+        The type of its value in JSON, such as ``"string"``; a tuple of possible types; a list of possible words; a
+        schema; the keys of an object; a list of any of these, or any of these by name.
     nullable : bool
-        Whether it may be null, other than a number, which always may.
+        Whether it may be null; numbers always may.
     applies : callable or None
         Whether a result has the key; if None, all have it.
     """
@@ -100,7 +100,7 @@ class Key:
 
 
 def within(get: Get | str, *keys: Key) -> tuple[Key, ...]:
-    """Return keys that a part of all results has as keys of the result; ``get`` returns the part, or is its path."""
+    """Return the keys of a part of a result as keys of the result; ``get`` returns the part, or is its path."""
     part = get if callable(get) else attrgetter(get)
 
     def moved(key: Key) -> Key:
@@ -115,7 +115,7 @@ def quantity_keys(quantities: Iterable[Quantity], holds: Any = NUMBER) -> tuple[
 
 
 def input_keys(inputs: type[Input], path: str = "") -> tuple[Key, ...]:
-    """Return the keys of all fields of an input; it is at the path of a result, which ends in a full stop, if any."""
+    """Return the keys of all fields of an input; ``path`` is its path in a result, and ends in a full stop."""
 
     def key(name: str, described: Any) -> Key:
         numeric = isinstance(described, descriptions.Quantity)
@@ -132,7 +132,7 @@ def document(keys: Iterable[Key], **parts: Any) -> dict[str, Any]:
 
 
 def object_of(keys: Iterable[Key], result: Any) -> dict[str, Any]:
-    """Return what keys hold of a result, or of a part of one."""
+    """Return the values of keys in a result, or in a part of one."""
     return {
         key.name: units_of(keys) if key is UNITS else key.json(result)
         for key in keys
@@ -141,7 +141,7 @@ def object_of(keys: Iterable[Key], result: Any) -> dict[str, Any]:
 
 
 def units_of(keys: Iterable[Key]) -> dict[str, Any]:
-    """Return the units of numbers by their keys; those without are left out."""
+    """Return the units of numbers by their keys; keys without units are left out."""
     units = {key.name: units_of(key.keys) if key.unit is None else key.unit for key in keys}
     return {name: unit for name, unit in units.items() if unit}
 
@@ -203,42 +203,42 @@ def verdict_key(verdict: Callable[[Any], Verdict | None]) -> Key:
     """Return the key of the verdict on a result."""
     meaning = (
         "whether limits are met: level (met, strained, not-judged, unlimited or not-met), and the findings that decide "
-        "it, worst first; of several, where says which of them it is; null where nothing can be said"
+        "it, worst first; where names the one of several; null without a verdict"
     )
     return Key("verdict", meaning, get=lambda result: verdict_to_object(verdict(result)), holds="object", nullable=True)
 
 
 def models_key(get: Get | str, bodies: Mapping[str, str]) -> Key:
-    """Return the key of the models of bodies, by attribute and what they are called."""
+    """Return the key of the models of bodies, by attribute and name."""
     keys = tuple(Key(name, f"of {body}", get=f"{name}.model", holds="string") for name, body in bodies.items())
-    return Key("models", "side faces and depth, as they were used", get=get, holds=keys)
+    return Key("models", "side faces and depth as used", get=get, holds=keys)
 
 
 def findings_key(name: str, meaning: str, path: str, **options: Any) -> Key:
-    """Return a key that holds findings with kind, sentence and numbers."""
+    """Return a key of findings with kind, sentence and numbers."""
     findings = attrgetter(path)
     objects = lambda result: [finding.as_object() for finding in findings(result)]  # noqa: E731
     return Key(name, meaning, get=objects, holds=ListOf("object"), **options)
 
 
 def assumed_key(path: str) -> Key:
-    """Return the key of what is assumed."""
+    """Return the key of assumptions."""
     meaning = (
-        "what is assumed where the file leaves something out that moves a headline number by more than 5 %: kind, "
-        "sentence, and numbers with default, keys and what it decides"
+        "assumptions for inputs that the file leaves out and that change a key figure by more than 5 %: kind, "
+        "sentence, and numbers with default, keys and the results that they decide"
     )
     return findings_key("assumed", meaning, path)
 
 
 def warning_keys(findings: Callable[[Any], Iterable[Finding]], notes: Get = lambda _: ()) -> tuple[Key, Key]:
-    """Return the keys of what strains the model, after any notes."""
+    """Return the keys of warnings, after any notes."""
 
     def get(name: str) -> Get:
         return lambda result: as_warnings(findings(result), notes(result))[name]
 
     meaning = "the same by kind, with value and unit of each number"
     return (
-        Key("warnings", "what strains the model, a sentence each", get=get("warnings"), holds=ListOf("string")),
+        Key("warnings", "warnings, a sentence each", get=get("warnings"), holds=ListOf("string")),
         Key("findings", meaning, get=get("findings"), holds=ListOf("object")),
     )
 

@@ -78,8 +78,8 @@ def read_ring_shape(
     Returns
     -------
     RingShape
-        The shape: deviations are positive where there is less room. Instruments that measure roundness write radii, and
-        so do for an inner raceway; for an outer one take ``.scaled(-1)``.
+        The shape; positive deviations reduce the clearance. Radii, as written by instruments for roundness, have this
+        sign on an inner raceway; for an outer one use ``.scaled(-1)``.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def read_ring_shape(
     """
     ShapeFile(str(path), angle_unit, deviation_unit, curve)
     lines, name = _lines(path)
-    # To the reader of traces angles are positions, and pass through it unchanged as mm.
+    # The reader of traces takes angles for positions, and leaves them unchanged as mm.
     request = Request(name, position_unit="mm", height_unit=deviation_unit, sense="height")
     line = _columns([_STATED.sub("mm", line) for line in lines[:_HEAD]] + lines[_HEAD:], request)
     if not line.units_known[1]:
@@ -137,7 +137,7 @@ def shape_tables(name: str, shape: Any) -> Any:
     """
     tables = [document_of(part) for part in shape.parts] if isinstance(shape, RingShape) else []
     if not tables:
-        condition = "be made by fourier_shape or tabulated_shape to go into a bearing file"
+        condition = "be made by fourier_shape or tabulated_shape to be written to a bearing file"
         raise InputError(name, shape, condition, "solve such a bearing in Python")
     return tables[0] if len(tables) == 1 else tables
 

@@ -26,7 +26,7 @@ class Sampling(Input):
 
     A Latin hypercube has one sample in each of ``count`` layers of every parameter. Sobol's sequence, scrambled, fills
     space evenly; best with a power of two. Random samples are independent. Saltelli's arrangement, for Sobol's indices,
-    has in every block a sample a, for each parameter a with that one taken from b, and a sample b.
+    consists of blocks: a sample a, for each parameter a copy of a with that parameter taken from b, and a sample b.
 
     Raises
     ------
@@ -44,7 +44,7 @@ class Sampling(Input):
     ] = 0
 
     def shares(self, dimensions: int) -> NDArray[np.float64]:
-        """Return where in its distribution each parameter is, from 0 to 1, shape (count, dimensions).
+        """Return the quantile of each parameter in its distribution, from 0 to 1, shape (count, dimensions).
 
         Raises
         ------
@@ -65,23 +65,23 @@ class Sampling(Input):
         return np.asarray(qmc.LatinHypercube(dimensions, rng=generator).random(self.count))
 
     def blocks(self, dimensions: int) -> int:
-        """Return how many blocks Saltelli's arrangement of so many parameters has: as many as fit, one at least.
+        """Return the number of blocks in Saltelli's arrangement: as many as fit into ``count``, at least one.
 
         Raises
         ------
         InputError
-            As `shares` does.
+            As for `shares`.
         """
         dimensions = whole("dimensions", dimensions, 1, MOST_DIMENSIONS, _DIMENSIONS)
         return max(1, self.count // (dimensions + 2))
 
     def size(self, dimensions: int) -> int:
-        """Return how many samples of so many parameters are drawn: ``count``, or as many as fill blocks.
+        """Return the number of samples that are drawn: ``count``, or as many as fill whole blocks.
 
         Raises
         ------
         InputError
-            As `shares` does.
+            As for `shares`.
         """
         blocks = self.blocks(dimensions)
         return blocks * (dimensions + 2) if self.method == SALTELLI else self.count

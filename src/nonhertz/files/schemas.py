@@ -1,7 +1,7 @@
 """JSON schemas of the files that are read and written, for editors and for other programs.
 
-Those of case, bearing and plan files are made by the tables that check these files, those of results by the tables of
-keys that write them: every key is in it, and no other.
+Schemas of case, bearing and plan files come from the tables that check these files, those of results from the tables of
+keys that write them: they have every key and no other.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _of_file(cls: Any) -> Schema:
 
 
 def _of_table(table: Table, tables: dict[str, Schema]) -> Schema:
-    """Return the reference to the JSON schema of a table, which is put into ``tables``; that of a profile itself."""
+    """Return a reference to the JSON schema of a table, put into ``tables``; for profiles the schema itself."""
     if not table.name:
         return _of_profile(table)
     if table.name not in tables:
@@ -79,7 +79,7 @@ def _of_profile(table: Table) -> Schema:
 
 
 def _of_key(key: Key, tables: dict[str, Schema]) -> Schema:
-    """Return the JSON schema of what a key holds."""
+    """Return the JSON schema of the value of a key."""
     description, usual = key.description, key.usual
     named = getattr(description, "named", {})
     inner = [_of_table(one, tables) for one in key.tables]
@@ -105,25 +105,25 @@ def _of_result(meaning: str, keys: Iterable[ResultKey], inputs: Any) -> Schema:
     return schema
 
 
-#: What is written as JSON: what it is, its keys, and the inputs that are its ``case``, if it has one.
+#: Files written as JSON: meaning, keys, and the class of their ``case``, if they have one.
 RESULTS: dict[str, tuple[str, tuple[ResultKey, ...], Any]] = {
     "result": ("A solved contact.", CONTACT, CaseDocument),
     "bearing-result": ("A loaded bearing.", bearing_results.keys(), BearingFile),
     "stress": ("The largest stresses below a contact.", STRESSES, None),
-    "life": ("How long the bodies of a contact last.", LIVES, None),
+    "life": ("The lives of the bodies of a contact.", LIVES, None),
     "profile": ("A prepared measured profile.", PROFILE, None),
-    "map": ("A map of a contact: its range, and how far it is off.", MAP, None),
-    "comparison": ("Strips beside a plane grid.", COMPARISON, None),
+    "map": ("A map of a contact: its range and its errors.", MAP, None),
+    "comparison": ("Strips compared with a plane grid.", COMPARISON, None),
     "bearing-comparison": ("A bearing by strips and by slices.", bearing_results.comparison_keys(), None),
-    "sweep": ("What the rows of a sweep say.", SWEEP, None),
+    "sweep": ("The results of a sweep.", SWEEP, None),
     "diagram": ("Numbers of a bearing over one of its inputs.", DIAGRAM, None),
-    "tolerance": ("How results are distributed, and what to tighten.", TOLERANCE, None),
+    "tolerance": ("The distributions of results, and the tolerances to tighten.", TOLERANCE, None),
     "design": ("The best profile or dimensions.", DESIGN, None),
     "front": ("The Pareto front of a design.", FRONT, None),
     "materials": ("The library of materials.", MATERIALS, None),
     "nodes": ("Pressures and forces of a contact at the nodes of a mesh.", NODES, None),
 }
-#: What there are schemas of, and the functions that return them.
+#: Kinds of files, and the functions that return their schemas.
 KINDS: dict[str, Callable[[], Mapping[str, Any]]] = {
     "case": partial(_of_file, CaseDocument),
     "bearing": partial(_of_file, BearingFile),
@@ -147,7 +147,7 @@ def _table(properties: Schema, description: str) -> Schema:
 
 
 def _for_older_programs(schema: Any) -> Any:
-    """Return a schema that says its constants in the words of draft 4, too: what Taplo knows."""
+    """Return a schema whose constants are also in the terms of draft 4, which Taplo knows."""
     if isinstance(schema, dict):
         translated = {key: _for_older_programs(value) for key, value in schema.items()}
         constant = translated.get("const", {})

@@ -1,4 +1,4 @@
-"""The sections of a case file that are no inputs of Python by themselves, and the file as a whole."""
+"""The sections of a case file that are not inputs in Python by themselves, and the whole file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from nonhertz.patch.features import Dent
 from nonhertz.solver.one import FEWEST_STRIPS, GOALS, MOST_STRIPS, refuse_accuracy
 from nonhertz.strip.element import ELEMENTS
 
-_FAR_AWAY = 1e3  # mm; how far out an unbounded contact is checked before it is solved
+_FAR_AWAY = 1e3  # mm; extent to which an unbounded contact is checked before it is solved
 
 
 @input_class(kw_only=True)
@@ -69,14 +69,14 @@ def locate_body_error(error: InputError) -> InputError:
 
 
 def read_context(document: Any, folder: Path | None) -> ReadContext:
-    """Return what the tables of a document need to know of it while they are read, whether it is valid or not.
+    """Return the context of the tables of a document, valid or not, while they are read.
 
     Parameters
     ----------
     document : object
         The whole document.
     folder : Path or None
-        Directory that the names of files are relative to; None where no file may be read.
+        Directory to which the names of files are relative; None if no file may be read.
     """
     bodies = document.get("body") if isinstance(document, dict) else None
     by_name = bodies if isinstance(bodies, dict) else {}
@@ -86,7 +86,7 @@ def read_context(document: Any, folder: Path | None) -> ReadContext:
 def combined_radius(*bodies: Any) -> Any:
     """Return the combined radius across the contact [mm] at the middles of two bodies, None if they have none.
 
-    It is found before the bodies are read one after the other, since the profile of one may depend on both.
+    It is needed before the bodies are read one by one, since the profile of one may depend on both.
     """
     curvature = 0.0
     for body in bodies:
@@ -108,7 +108,7 @@ def sample_interval(interval: tuple[float, float]) -> NDArray[np.float64]:
 
 @input_class(kw_only=True)
 class Solver(Input):
-    """How it is solved."""
+    """The method of solution."""
 
     element: Annotated[
         str, Word("strip element: 'semi-elliptic' or 'parabolic'", "choose one of them", tuple(ELEMENTS))
@@ -116,11 +116,11 @@ class Solver(Input):
     strips: Annotated[
         int | str,
         Count(
-            "how many strips, equally wide",
+            "number of strips of equal width",
             FEWEST_STRIPS,
             MOST_STRIPS,
             "leave it out for an automatic grid",
-            {"auto": "an automatic grid, as fine as the accuracy asks for"},
+            {"auto": "an automatic grid, as fine as the accuracy requires"},
         ),
     ] = "auto"
     accuracy: Annotated[
@@ -130,7 +130,7 @@ class Solver(Input):
     accuracy_of: Annotated[
         str | None,
         Word(
-            "what the accuracy is of: 'approach' (or load), or 'pressure', the largest, where it is 1e-3 if left out",
+            "quantity of the accuracy: 'approach' (or load), or 'pressure', the maximum, whose default is 1e-3",
             "leave it out for the accuracy of the approach",
             GOALS,
         ),
@@ -151,16 +151,16 @@ class OverrolledDent(Input):
     shoulder_diameter: Annotated[float | None, Dent.descriptions["shoulder_diameter"]] = None
     y: Annotated[float, Dent.descriptions["y"]] = 0.0
     body: Annotated[
-        BodyName, Word("the body that has it, 'a' or 'b'", "name the body whose raceway has the dent", BODIES)
+        BodyName, Word("the body with the dent, 'a' or 'b'", "name the body whose raceway has the dent", BODIES)
     ] = "b"
     dents: Annotated[
-        int, Count("how many lie around the raceway at that y", 1, math.inf, "give the number of dents")
+        int, Count("number of dents around the raceway at that y", 1, math.inf, "give the number of dents")
     ] = 1
     per_area: Annotated[
         float | None,
         Quantity(
             "",
-            "in their place, how many lie on a square millimetre",
+            "instead, number of dents per square millimetre",
             positive,
             "give a positive number, or leave it out",
         ),
@@ -187,19 +187,19 @@ class OverrolledDent(Input):
 
     @property
     def number(self) -> dict[str, Any]:
-        """How many there are: keywords of `nonhertz.life.Overrolled.relative_life`."""
+        """The number of dents, as keywords of `nonhertz.life.Overrolled.relative_life`."""
         density = {"dents": self.dents} if self.per_area is None else {"per_area": self.per_area}
         return density | ({} if self.raceway_diameter is None else {"raceway_diameter": self.raceway_diameter})
 
 
 def _uses_any(*names: str) -> Callable[[Life], bool]:
-    """Return whether lives are asked by one of these models."""
+    """Return a function that tells whether lives use one of these models."""
     return lambda life: not life.models or not set(names).isdisjoint(life.models)
 
 
 @input_class(kw_only=True)
 class Life(Input):
-    """How long the bodies last."""
+    """The conditions of the bodies' lives."""
 
     rollers: Annotated[
         int | None,
@@ -300,16 +300,16 @@ class Life(Input):
 
     @property
     def required_revolutions(self) -> float | None:
-        """The life that is asked for [10^6 revolutions]: a contact has no speed for hours."""
+        """The required life [10^6 revolutions]; a contact has no speed for hours."""
         return None if self.required is None else million_revolutions(self.required, None)
 
     @property
     def steps(self) -> int:
-        """How many steps an assessment announces: both bodies under each load, and the dent."""
+        """The number of steps that an assessment announces: both bodies under each load, and the dent."""
         return 2 * max(1, len(self.spectrum)) + (self.dent is not None)
 
     def build_models(self, names: Iterable[str] = ()) -> tuple[Model, ...]:
-        """Return models by name, each with the parameters that are given and that it takes.
+        """Return models by name, each with the given parameters that it has.
 
         Parameters
         ----------
@@ -333,7 +333,7 @@ def _format(name: str, value: Any, remedy: str) -> int:
     return FORMAT
 
 
-#: The format of a file, as all kinds of files say it.
+#: The format of a file, the same for all kinds of files.
 FORMAT_FIELD = Custom(
     "format of the file; older files that leave it out are read",
     _format,
@@ -343,8 +343,8 @@ FORMAT_FIELD = Custom(
 
 
 def describe_title(what: str) -> Word:
-    """Return what describes the title in a kind of file."""
-    return Word(f"what the {what} is called in tables and figures", "write a short name", condition=one_line)
+    """Return the description of the title in a kind of file."""
+    return Word(f"title of the {what} in tables and figures", "write a short name", condition=one_line)
 
 
 @input_class(kw_only=True)
@@ -354,10 +354,10 @@ class CaseDocument(Input):
     format: Annotated[int, FORMAT_FIELD] = FORMAT
     title: Annotated[str, describe_title("case")] = ""
     body: Annotated[Bodies, Part("the two bodies", Bodies, "give both")]
-    load: Annotated[Prescription, Part("what presses them together", Prescription, "give it")]
-    solver: Annotated[Solver, Part("how it is solved", Solver, "give a table")] = Solver()
-    life: Annotated[Life, Part("how long the bodies last", Life, "give a table")] = Life()
-    report: Annotated[TitleBlock, Part("what the head of a report says", TitleBlock, "give a table")] = TitleBlock()
+    load: Annotated[Prescription, Part("load or approach, tilt or moment", Prescription, "give it")]
+    solver: Annotated[Solver, Part("method of solution", Solver, "give a table")] = Solver()
+    life: Annotated[Life, Part("conditions of the bodies' lives", Life, "give a table")] = Life()
+    report: Annotated[TitleBlock, Part("head of a report", TitleBlock, "give a table")] = TitleBlock()
 
     @property
     def contact(self) -> Contact:

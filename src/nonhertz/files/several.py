@@ -51,7 +51,7 @@ class Attempt:
 
     @property
     def name(self) -> str:
-        """Its file, as it was given."""
+        """Its file, as given."""
         return printable_name(str(self.path))
 
     @property
@@ -61,7 +61,7 @@ class Attempt:
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether the contact bears its load; None if it was not solved."""
+        """Whether limits are met; None if the case was not solved."""
         return None if self.solution is None or self.complaints else judge_contact(self.solution)
 
     @property
@@ -71,17 +71,17 @@ class Attempt:
 
     @property
     def warnings(self) -> list[str]:
-        """What strains the model, each with the name of its file."""
+        """Its warnings, each with the name of its file."""
         return [] if self.solution is None else [f"{self.name}: {warning}" for warning in self.solution.warnings]
 
     @property
     def status(self) -> str:
-        """How the solve ended, as files write it."""
+        """How the solve ended, as written in files."""
         return _NOT_SOLVED if self.solution is None else self.solution.status.label
 
 
 def name_folders(attempts: Sequence[Attempt]) -> list[str]:
-    """Return a name of its own for the folder of each case: that of its file, with a number where two have the same.
+    """Return distinct names for the folders of cases: those of their files, numbered if they are the same.
 
     Examples
     --------
@@ -91,10 +91,10 @@ def name_folders(attempts: Sequence[Attempt]) -> list[str]:
     names: list[str] = []
     taken: set[str] = set()
     for attempt in attempts:
-        # A name of dots alone would lead out of the directory.
+        # A name of dots only would lead out of the directory.
         stem = printable_name(attempt.path.stem) if attempt.path.stem.strip(". ") else "case"
         name, number = stem, 1
-        # Some file systems do not tell capitals from small letters.
+        # Some file systems are not case-sensitive.
         while name.lower() in taken:
             number += 1
             name = f"{stem}-{number}"
@@ -118,7 +118,7 @@ def objects(attempts: Sequence[Attempt]) -> list[dict[str, Any]]:
 
 @display_units("si")
 def rows(attempts: Sequence[Attempt]) -> list[list[Any]]:
-    """Return the cells of a row of the table for each case; those without a number are None."""
+    """Return the cells of a row of the table for each case; None without a number."""
     return [_row(attempt) for attempt in attempts]
 
 

@@ -1,6 +1,6 @@
-"""What a parameter runs over: values one after the other, or a distribution to draw from.
+"""The values of a parameter that is varied: one after the other, or drawn from a distribution.
 
-In a file and on the command line each is a text or a list:
+In a file and on the command line they are a text or a list:
 
     "0 : 40 kN : 41"            evenly from lowest to highest
     ["5 kN", "15 kN"]           these; also "5 kN, 15 kN"
@@ -37,7 +37,7 @@ _EXAMPLES = {
     "mm": "10um:20um", "N": "5kN:40kN", "rad": "-1mrad:1mrad", "MPa": "200GPa:210GPa", "N mm": "0:5Nm", "": "0.2:0.4",
     "1/min": "0:1500rpm",
 }  # fmt: skip
-#: Kinds of distribution, with what their numbers are.
+#: Kinds of distribution, with the names of their numbers.
 DISTRIBUTIONS = {
     "normal": ("mean", "standard deviation"),
     "uniform": ("lowest", "highest"),
@@ -48,15 +48,15 @@ _NOMINAL = "nominal"
 _DEVIATION = r"0|[+-](?:[^-+:,]|e[-+])+"
 _DEVIATIONS = re.compile(rf"\s*(?:(?P<about>.*?)\s+)?(?P<one>{_DEVIATION})\s+(?P<other>{_DEVIATION})")
 _PLUS_MINUS = re.compile(r"(?P<about>.*?)(?:\+-|\+/-|±)(?P<size>[^:,]+)")
-AT_LIMITS = 3.0  # standard deviations at which a normal distribution has the limits of a drawing
+AT_LIMITS = 3.0  # standard deviations: limits of a drawing in a normal distribution
 _PROBABILITY_REMEDY = "give probabilities"
 MOST_VALUES = 10_000
-FARTHEST = 6.0  # standard deviations at which a normal distribution is tried: one sample in 10^9 is beyond
+FARTHEST = 6.0  # standard deviations to which a normal distribution is checked: one sample in 10^9 is beyond
 
 
 @dataclass(frozen=True)
 class Distribution:
-    """How a number is distributed.
+    """The distribution of a number.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ class Distribution:
     numbers : tuple of float
         Mean and standard deviation; lowest and highest; or lowest, likeliest and highest.
     within : tuple of float, optional
-        For a normal distribution, the lowest and the highest value that pass; the rest is sorted out.
+        For a normal distribution, the lowest and the highest value that pass inspection; others are rejected.
 
     Raises
     ------
@@ -104,14 +104,14 @@ class Distribution:
             finite("within", number, "give lowest and highest")
         low, high = self.within
         if self.kind != "normal":
-            raise InputError("within", self.within, "stand beside a normal distribution", "leave it out")
+            raise InputError("within", self.within, "belong to a normal distribution", "leave it out")
         mean, deviation = self.numbers
         if not (low < high and low < mean + FARTHEST * deviation and high > mean - FARTHEST * deviation):
             remedy = "give lowest and highest within a few standard deviations of the mean"
-            raise InputError("within", self.within, "ascend and hold part of the distribution", remedy)
+            raise InputError("within", self.within, "ascend and include part of the distribution", remedy)
 
     def quantile(self, probability: ArrayLike) -> Array:
-        """Return the values below which others lie with some probability.
+        """Return quantiles: the values below which a number lies with some probability.
 
         Parameters
         ----------
@@ -142,7 +142,7 @@ class Distribution:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Lowest and highest value; of a normal distribution without limits, where one sample in 10^9 lies beyond."""
+        """Lowest and highest value; of a normal distribution without limits, those that one sample in 10^9 exceeds."""
         if self.kind != "normal":
             return self.numbers[0], self.numbers[-1]
         mean, deviation = self.numbers
@@ -155,16 +155,16 @@ Spread = tuple[Any, ...] | Distribution
 
 
 def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) -> Spread:
-    """Return what a parameter runs over: values in its base unit, or a distribution.
+    """Return the values of a parameter in its base unit, or its distribution.
 
     Parameters
     ----------
     parameter : Parameter
-        What is varied.
+        The parameter that is varied.
     value : object
         A text or a list as above, an array of numbers, or a `Distribution`.
     document : mapping
-        The file, for what is nominal.
+        The document of the file, for nominal values.
 
     Raises
     ------
@@ -190,14 +190,14 @@ def parse_spread(parameter: Parameter, value: Any, document: Mapping[str, Any]) 
 
 
 def _parse_text(parameter: Parameter, text: str, document: Mapping[str, Any]) -> Spread:
-    """Return the distribution, the steps or the list of values that a text stands for."""
+    """Return the distribution, the steps or the list of values in a text."""
     bare = parameter.unit is not None and (_PLUS_MINUS.fullmatch(text) or _DEVIATIONS.fullmatch(text))
     called = _CALL.fullmatch(f"uniform({text})" if bare and "(" not in text else text)
     if called is not None:
         return _parse_distribution(parameter, text, called, document)
     words = list(map(str.strip, text.split(",")))
     if parameter.unit is None:
-        # A text of words is always a list; none of them has a comma.
+        # A text of words is always a list; words have no commas.
         return tuple({"true": True, "false": False}.get(word, word) for word in words)
     if ":" in text:
         return _parse_steps(parameter, text)
@@ -210,7 +210,7 @@ def parse_bounds(parameter: Parameter, value: Any) -> tuple[float, float]:
     Raises
     ------
     InputError
-        If it is no range.
+        If it is not a range.
     """
     if parameter.unit is None or parameter.whole:
         raise InputError(parameter.path, value, "be a number that can change gradually", "sweep over its values")
@@ -229,14 +229,14 @@ def parse_bounds(parameter: Parameter, value: Any) -> tuple[float, float]:
 
 
 def parse_range(field: str, text: str, unit: str, example: str) -> tuple[float, float, int | None]:
-    """Return the range that a text stands for: lowest, highest, and how many values there are if that is written.
+    """Return the range in a text: lowest, highest, and the number of values or None.
 
     Parameters
     ----------
     field : str
         Name of the input, for the message.
     text : str
-        Lowest and highest with units, and perhaps how many, with colons between them. Zero needs no unit.
+        Lowest and highest with units, optionally the number of values, separated by colons. Zero needs no unit.
     unit : str
         As for `nonhertz.inputs.units.to_unit`.
     example : str
@@ -245,7 +245,7 @@ def parse_range(field: str, text: str, unit: str, example: str) -> tuple[float, 
     Raises
     ------
     InputError
-        If the text is no range, is empty, or has too many values.
+        If the text is not a range, is empty, or has too many values.
 
     Examples
     --------
@@ -254,7 +254,7 @@ def parse_range(field: str, text: str, unit: str, example: str) -> tuple[float, 
     """
     parts = text.split(":")
     what = "with units, such as" if unit else "such as"
-    remedy = f"write lowest and highest {what} {example}, and if you like how many values, {example}:21"
+    remedy = f"write lowest and highest {what} {example}, optionally with the number of values, {example}:21"
     if len(parts) not in {2, 3}:
         raise InputError(field, text, "be a range", remedy)
     low, high = (parse_number(field, part, unit) for part in parts[:2])
@@ -270,12 +270,12 @@ def parse_range(field: str, text: str, unit: str, example: str) -> tuple[float, 
 
 
 def parse_number(field: str, text: str, unit: str) -> float:
-    """Return a quantity that is written without quotes, in a unit; zero needs none, nor does a plain number.
+    """Return a quantity that is written without quotes, in a unit; zero and plain numbers need none.
 
     Raises
     ------
     InputError
-        If it is no such quantity.
+        If it is not such a quantity.
     """
     try:
         number = float(text)
@@ -298,12 +298,12 @@ def parse_number(field: str, text: str, unit: str) -> float:
 
 
 def _parse_entry(parameter: Parameter, value: Any) -> Any:
-    """Return an entry of a list in the base unit; in it zero needs no unit in quotes either."""
+    """Return an entry of a list in the base unit; zero needs no unit, even in quotes."""
     return _parse_value(parameter, value, bare=parameter.unit not in {None, ""})
 
 
 def _parse_value(parameter: Parameter, written: Any, *, bare: bool) -> Any:
-    """Return a single value in the base unit; a word or a switch as it is, for the file's own checks.
+    """Return a single value in the base unit; words and switches unchanged, for the file's own checks.
 
     ``bare`` is a text without quotes of its own.
     """
@@ -326,7 +326,7 @@ def _parse_steps(parameter: Parameter, text: str) -> tuple[float, ...]:
     example = _example(parameter)
     low, high, count = parse_range(parameter.path, text, parameter.unit, example)
     if count is None:
-        raise InputError(parameter.path, text, "say how many values", f"append them, such as {example}:21")
+        raise InputError(parameter.path, text, "have a number of values", f"append it, such as {example}:21")
     values = np.linspace(low, high, count).tolist()
     if parameter.whole and any(value != int(value) for value in values):
         remedy = "choose a number of values that divides the range, or write a list"
@@ -341,7 +341,7 @@ def _example(parameter: Parameter) -> str:
 def _parse_distribution(
     parameter: Parameter, text: str, called: re.Match[str], document: Mapping[str, Any]
 ) -> Distribution:
-    """Return the distribution that a text such as ``"normal(80 mm, 5 um)"`` stands for."""
+    """Return the distribution in a text such as ``"normal(80 mm, 5 um)"``."""
     kind, inside, limits = called.groups()
     if parameter.unit is None or parameter.whole:
         raise InputError(parameter.path, text, "be a list, because it cannot change gradually", "write one")
@@ -390,5 +390,5 @@ def _number(parameter: Parameter, text: str, document: Mapping[str, Any]) -> flo
     number = to_unit(parameter.path, value, parameter.unit) if value is not None else None
     if not isinstance(number, float):
         remedy = "give the number itself"
-        raise InputError(parameter.path, text.strip(), "stand for a number that the case gives", remedy)
+        raise InputError(parameter.path, text.strip(), "refer to a number that the case gives", remedy)
     return number

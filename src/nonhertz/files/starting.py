@@ -25,7 +25,7 @@ def starting_case(template: str | None = None) -> str:
     Parameters
     ----------
     template : str, optional
-        One of `TEMPLATES`, each an example of a machine element; one with all that a case may hold if left out.
+        One of `TEMPLATES`, each an example of a machine element; by default one with all keys of a case file.
 
     Raises
     ------
@@ -51,8 +51,8 @@ def starting_bearing(template: str | None = None) -> str:
     Parameters
     ----------
     template : str, optional
-        One of `BEARING_TEMPLATES`, each an example of a kind of bearing; one with all that a bearing file may hold if
-        left out.
+        One of `BEARING_TEMPLATES`, each an example of a kind of bearing; by default one with all keys of a bearing
+        file.
 
     Raises
     ------
@@ -63,12 +63,12 @@ def starting_bearing(template: str | None = None) -> str:
 
 
 def starting_text(name: str, template: str | None = None, known: Iterable[str] = (), folder: str = "") -> str:
-    """Return the text of one of our own files to start from: of a template in a folder, or of the one of a name.
+    """Return the text of a packaged file to start from: a template in a folder, or the file of a name.
 
     Raises
     ------
     InputError
-        If a template is asked for that is not known.
+        If the template is unknown.
     """
     if template is not None:
         one_of("template", template, tuple(known), "choose one of them")

@@ -19,13 +19,13 @@ from nonhertz.strength import Strength
 from nonhertz.subsurface import Extremes, Field
 from nonhertz.verdict import judge_contact
 
-#: Names in tables of the stresses of which the largest are searched.
+#: Names of the stresses whose largest values are searched.
 LARGEST: Final = {"von_mises": "von Mises", "shear": "maximum shear", "orthogonal_shear": "orthogonal shear"}
 _EXTREME: Final = (
     Key("max", "the largest", "MPa"),
-    Key("x", "where it is across the contact", "mm"),
-    Key("y", "where it is along it", "mm"),
-    Key("z", "how far below the surface", "mm"),
+    Key("x", "position across the contact", "mm"),
+    Key("y", "position along it", "mm"),
+    Key("z", "depth below the surface", "mm"),
     Key("at_bore", "whether that is on the bore of a hollow roller", holds="boolean"),
 )
 _LARGEST: Final = tuple(Key(name, f"largest {words}", holds=_EXTREME) for name, words in LARGEST.items())
@@ -36,9 +36,9 @@ _BORE: Final = Key(
 _STRENGTH: Final = (
     Key("criterion", "criterion of yielding", holds="string"),
     Key("verdict", "fine, over or not known", get=lambda strength: str(strength.verdict), holds="string"),
-    Key("static_safety", "(limit of pressure / largest pressure)^2; null where it is not known"),
+    Key("static_safety", "(pressure limit / maximum pressure)^2; null if unknown"),
     Key(
-        "checks", "by name, each with verdict, ratio, above 1 of which it is too much, and sentence", holds="object",
+        "checks", "by name, each with verdict, ratio (a limit is exceeded above 1) and sentence", holds="object",
         get=lambda strength: {
             check.name: {"verdict": str(check.verdict), "ratio": check.ratio, "sentence": check.sentence}
             for check in strength.checks
@@ -69,7 +69,7 @@ STRESSES: Final = (
             replace(_BORE, get="section.bore", applies=lambda stress: stress.section.bore is not None),
         ),
     ),
-    Key("strength", "whether the body bears them", holds=_STRENGTH),
+    Key("strength", "whether the body withstands them", holds=_STRENGTH),
     results.verdict_key(lambda stress: judge_contact(stress.solution, (stress.strength,))),
     *results.warning_keys(lambda stress: all_findings(stress.solution, stress.overall, stress.section)),
     results.UNITS,
@@ -81,7 +81,7 @@ _STRESSES: Final = ("sigma_x", "sigma_y", "sigma_z", "tau_yz", "tau_xz", "tau_xy
 def as_object(
     solution: Solution, overall: Extremes, section: Extremes, strength: Strength, title: str
 ) -> dict[str, Any]:
-    """Return the largest stresses, and whether the body bears them, as plain numbers, text, lists and dictionaries."""
+    """Return the largest stresses, and whether the body withstands them, as plain numbers, text and lists."""
     return results.document(
         STRESSES, title=title, solution=solution, overall=overall, section=section, strength=strength
     )
@@ -96,7 +96,7 @@ def at_station(solution: Solution, values: NDArray[np.float64], y: float) -> flo
 def as_table(field: Field) -> str:
     """Return the points of a field and the stress there as CSV with a header of names and units."""
     columns = [getattr(field, name).ravel() for name in (*_POINT, *_STRESSES)]
-    # More digits than the quadrature has would only make the file longer.
+    # More digits than those of the quadrature would only lengthen the file.
     rows = ([f"{value:.7g}" if np.isfinite(value) else "" for value in row] for row in np.transpose(columns))
     return csv_text([*(f"{name} [mm]" for name in _POINT), *(f"{name} [MPa]" for name in _STRESSES)], rows)
 
@@ -112,7 +112,7 @@ def poisson(solution: Solution, body: BodyName) -> float:
 
 
 def all_findings(solution: Solution, *stresses: Extremes) -> tuple[Finding, ...]:
-    """Return what is found of a solution and of the stresses in it, without repeats."""
+    """Return the findings on a solution and on its stresses, without repeats."""
     return tuple(
         dict.fromkeys([*solution.findings, *(finding for largest in stresses for finding in largest.findings)])
     )

@@ -1,4 +1,4 @@
-"""What sweeps, tolerances, designs and fronts say as JSON: a table of keys for each of them."""
+"""Sweeps, tolerance studies, designs and fronts as JSON: a table of keys for each of them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _units_of_rows(sweep: Any) -> dict[str, str]:
     return {name: sweep.unit(name) for name in (*sweep.paths, *(quantity.name for quantity in sweep.quantities))}
 
 
-_RESULTS: Final = "results that are not given, nor places"
+_RESULTS: Final = "results other than given quantities and positions"
 _VALUES: Final = MapOf(("number", "string", "boolean", "array", "object", "null"))
 _FILES: Final = Key(
     "files", "files that were written", get=lambda study: [*map(str, study.files)], holds=ListOf("string")
@@ -32,12 +32,12 @@ _ROWS: Final = within(
     "sweep",
     Key("title", "title of the plan", get="plan.title", holds="string"),
     Key("rows", "number of rows", get=len, holds="integer"),
-    Key("failed", "how many of them failed", holds="integer"),
+    Key("failed", "number of failed rows", holds="integer"),
 )
 _ASSUMED: Final = results.assumed_key("sweep.assumed")
 _REASON: Final = (
     Key("sentence", "why", get=itemgetter(0), holds="string"),
-    Key("rows", "how many rows failed so", get=itemgetter(1), holds="integer"),
+    Key("rows", "number of rows that failed for this reason", get=itemgetter(1), holds="integer"),
     Key("first", "the first of them, from 0", get=itemgetter(2), holds="integer"),
 )
 _REASONS: Final = Key(
@@ -91,22 +91,22 @@ DIAGRAM: Final = (
     _UNITS_OF_ROWS,
 )  # fmt: skip
 
-_CERTAIN: Final = "with 95 % certainty"
+_CERTAIN: Final = "95 % two-sided"
 _QUANTILE: Final = (
-    Key("share", "share of all results below it", get="probability"),
+    Key("share", "fraction of all results below it", get="probability"),
     Key("value", "the estimate; null without samples"),
-    Key("low", f"the true one is above, {_CERTAIN}; null where there are too few samples to say"),
-    Key("high", f"the true one is below, {_CERTAIN}; null where there are too few samples to say"),
+    Key("low", f"lower confidence limit, {_CERTAIN}; null with too few samples"),
+    Key("high", f"upper confidence limit, {_CERTAIN}; null with too few samples"),
 )
 _CAPABILITY: Final = (
     Key("quantity", "the quantity", holds="string"),
     Key("kind", "of limit", holds=["at most", "at least"]),
     Key("limit", "the limit"),
     Key("samples", "number of samples", holds="integer"),
-    Key("beyond", "how many of them are beyond the limit", holds="integer"),
-    Key("share", "the share beyond", get="fraction"),
-    Key("low", f"the true share is above, {_CERTAIN}"),
-    Key("high", f"the true share is below, {_CERTAIN}"),
+    Key("beyond", "number of samples beyond the limit", holds="integer"),
+    Key("share", "fraction beyond the limit", get="fraction"),
+    Key("low", f"lower confidence limit of the fraction, {_CERTAIN}"),
+    Key("high", f"upper confidence limit of the fraction, {_CERTAIN}"),
     Key("mean", "mean of the samples"),
     Key("deviation", "standard deviation of the samples"),
     Key("cpk", "one-sided capability index; null if nothing varies"),
@@ -114,11 +114,11 @@ _CAPABILITY: Final = (
 _INDEX: Final = (
     Key("path", "the parameter", holds="string"),
     Key("first", "share of the variance that would be gone if it were fixed"),
-    Key("first_low", f"it is above, {_CERTAIN}"),
-    Key("first_high", f"it is below, {_CERTAIN}"),
+    Key("first_low", f"lower confidence limit, {_CERTAIN}"),
+    Key("first_high", f"upper confidence limit, {_CERTAIN}"),
     Key("total", "share of the variance that would be left if all others were fixed"),
-    Key("total_low", f"it is above, {_CERTAIN}"),
-    Key("total_high", f"it is below, {_CERTAIN}"),
+    Key("total_low", f"lower confidence limit, {_CERTAIN}"),
+    Key("total_high", f"upper confidence limit, {_CERTAIN}"),
 )
 #: Keys of a tolerance study.
 TOLERANCE: Final = (
@@ -132,7 +132,7 @@ TOLERANCE: Final = (
             "quantiles", "quantiles of each quantity", get=_of_quantities("quantiles", "sweep.quantities"),
             holds=MapOf(ListOf(_QUANTILE)),
         ),
-        Key("limits", "how the samples stand against limits", get="capabilities", holds=ListOf(_CAPABILITY)),
+        Key("limits", "samples compared with limits", get="capabilities", holds=ListOf(_CAPABILITY)),
         Key(
             "indices", f"of {_RESULTS}: how much of the variance is due to each parameter",
             get=_of_quantities("indices", "results"), holds=MapOf(ListOf(_INDEX)),
@@ -145,16 +145,16 @@ TOLERANCE: Final = (
 )  # fmt: skip
 
 _START: Final = (
-    Key("begun", "values of the paths where it began", holds=_VALUES),
-    Key("ended", "values of the paths where it ended", holds=_VALUES),
-    Key("value", "the goal where it ended; null if it failed"),
+    Key("begun", "values of the paths at its start", holds=_VALUES),
+    Key("ended", "values of the paths at its end", holds=_VALUES),
+    Key("value", "the goal at its end; null if it failed"),
     Key("history", "the goal after each step", holds=ListOf()),
     Key("meets", "whether it meets the bounds", holds="boolean"),
     Key("failure", "why it failed; empty if it did not", holds="string"),
 )
 _BAND: Final = (
     Key("path", "the variable", holds="string"),
-    Key("cost", "by how much the goal is worse at the ends, over itself"),
+    Key("cost", "relative loss of the goal at the ends"),
     Key("low", "low end"),
     Key("high", "high end"),
 )
@@ -163,17 +163,17 @@ DESIGN: Final = (
     *within(
         "design",
         Key("title", "title of the case", get="was.title", holds="string"),
-        Key("goal", "what it is best for", holds=["pressure", "life"]),
+        Key("goal", "goal of the design", holds=["pressure", "life"]),
         Key("values", "the best values of the paths", holds=_VALUES),
-        Key("value", "the goal there: the largest pressure, or the life over that of the case"),
-        Key("before", "the goal of the case as it was"),
-        Key("worst", "load with the largest pressure, or with the largest share of the damage", holds="string"),
+        Key("value", "the goal there: the maximum pressure, or the life relative to that of the case"),
+        Key("before", "the goal of the original case"),
+        Key("worst", "load with the maximum pressure, or with the largest share of the damage", holds="string"),
         results.verdict_key(attrgetter("verdict")),
-        Key("agreeing_starts", "searches that found the same within 1 %", get="agreeing", holds="integer"),
+        Key("agreeing_starts", "searches that agree within 1 %", get="agreeing", holds="integer"),
         Key("starts", "the searches, the best first", holds=ListOf(_START)),
         *results.warning_keys(attrgetter("findings")),
         results.assumed_key("was.assumed"),
-        Key("bands", "within which values the goal is worse by no more than a cost", holds=ListOf(_BAND)),
+        Key("bands", "ranges of values in which the goal is worse by no more than a cost", holds=ListOf(_BAND)),
         Key("loads", "the loads", holds=ListOf(input_keys(ContactLoadCase))),
     ),
     _FILES,
@@ -185,8 +185,8 @@ DESIGN: Final = (
 
 _POINT: Final = (
     Key("values", "values of the paths", get=itemgetter(0), holds=_VALUES),
-    Key("max_pressure_without_tilt", "largest pressure under the loads without tilt", "MPa", itemgetter(1)),
-    Key("max_pressure_with_tilt", "largest pressure under the loads with tilt", "MPa", itemgetter(2)),
+    Key("max_pressure_without_tilt", "maximum pressure under the loads without tilt", "MPa", itemgetter(1)),
+    Key("max_pressure_with_tilt", "maximum pressure under the loads with tilt", "MPa", itemgetter(2)),
 )
 #: Keys of a front.
 FRONT: Final = (
@@ -205,5 +205,5 @@ FRONT: Final = (
 
 
 def as_text(keys: Iterable[Key], files: Iterable[Path] = (), **study: Any) -> str:
-    """Return a study as JSON text, with the files that were written; keys find its parts by name, such as ``sweep``."""
+    """Return a study as JSON text, with the files that were written; ``study`` has its parts by name."""
     return json.dumps(results.document(keys, files=files, **study), indent=2, allow_nan=False)

@@ -1,4 +1,4 @@
-"""The head of a report beside its title: project, author and date."""
+"""The head of a report, except its title: project, author and date."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nonhertz.inputs.fields import Input, input_class
 
 @input_class()
 class TitleBlock(Input):
-    """What the head of a report says beside the title; what is left out is not shown.
+    """The head of a report, except the title; parts that are left out are not shown.
 
     Raises
     ------
@@ -26,8 +26,8 @@ class TitleBlock(Input):
     {'project': 'Gearbox', 'author': 'M. Muster'}
     """
 
-    project: Annotated[str, Word("project that the report belongs to", "write plain text", condition=one_line)] = ""
-    author: Annotated[str, Word("who made it", "write plain text", condition=one_line)] = ""
+    project: Annotated[str, Word("project of the report", "write plain text", condition=one_line)] = ""
+    author: Annotated[str, Word("author of the report", "write plain text", condition=one_line)] = ""
     date: Annotated[
         str,
         Word("date of the report, in quotation marks; no other date is shown", "write plain text", condition=one_line),
@@ -35,13 +35,13 @@ class TitleBlock(Input):
 
     @property
     def lines(self) -> dict[str, str]:
-        """Names and values, as far as they are given."""
+        """Names and values of the parts that are given."""
         return {name: value.strip() for name, value in vars(self).items() if value.strip()}
 
     def dated(self) -> TitleBlock:
-        """Return this one, with today's date if it has none."""
+        """Return this title block, with today's date if it has none."""
         return self if self.date.strip() else replace(self, date=datetime.date.today().isoformat())
 
     def over(self, other: TitleBlock) -> TitleBlock:
-        """Return this one, with what is empty taken from another."""
+        """Return this title block, with empty parts taken from another."""
         return replace(other, **self.lines)

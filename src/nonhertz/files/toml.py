@@ -1,4 +1,4 @@
-"""Documents: what the text of a TOML file holds, read and written, whatever it means."""
+"""Documents: the contents of TOML files, read and written, whatever their meaning."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, exceeded_limit, has_lo
 from nonhertz.files.mistakes import path_of
 from nonhertz.inputs.files import read_bytes
 
-#: Tables of a bearing file in place of those of both bodies, and what only plans have.
+#: Tables of a bearing file in place of both bodies, and tables that only plans have.
 OF_BEARINGS = ("bearing", "roller", "inner", "outer")
 OF_PLANS = ("case", "over", "tolerance", "vary")
 _CONTENTS = {"case": "a single contact", "bearing": "a bearing", "plan": "a plan"}
 
 
 def file_kind(document: Mapping[str, Any]) -> str:
-    """Return the kind of file that a document is meant as, empty if that cannot be told.
+    """Return the kind of file that a document is meant to be; empty if that is not clear.
 
     Examples
     --------
@@ -38,7 +38,7 @@ def file_kind(document: Mapping[str, Any]) -> str:
 
 
 def is_plan(document: Mapping[str, Any]) -> bool:
-    """Return whether a document has what only plans have.
+    """Return whether a document has tables that only plans have.
 
     Examples
     --------
@@ -56,13 +56,13 @@ def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, 
     path : str or Path
         A TOML file.
     *kinds : {"case", "bearing", "plan"}
-        What it may be; the first is what one may begin with.
+        The kinds that it may be; the first is suggested for a missing file.
 
     Raises
     ------
     CaseError
-        If it cannot be read, is not TOML, is larger than any case, or holds something else than it may; what holds no
-        plan is left to be refused by who reads plans.
+        If it cannot be read, is not TOML, is larger than any case, or is of another kind; readers of plans refuse other
+        kinds themselves.
     InputError
         If ``path`` is not the name of a file.
     """
@@ -103,12 +103,12 @@ def _explain_unreadable(path: Path, error: OSError | ValueError, what: str, kind
 
 
 def parse(text: str, name: str) -> dict[str, Any]:
-    """Return the document in the text of a case file; ``name`` is what error messages call it.
+    """Return the document in the text of a case file; ``name`` is its name in error messages.
 
     Raises
     ------
     CaseError
-        If the text is not TOML, or holds more than a case may.
+        If the text is not TOML, or exceeds the limits of a case.
     """
     # Before parsing: the parser's time grows with the square of the number of parts in a key.
     if has_long_key(text):
@@ -129,7 +129,7 @@ def parse(text: str, name: str) -> dict[str, Any]:
 
 
 def _translate_reason(reason: str) -> str:
-    """Return the parser's reason without its own terms for what is given twice."""
+    """Return the parser's reason, without its own terms for duplicates."""
     if match := re.search(r"(?:declare|namespace) \((.*?),?\)(?: twice)? \(", reason):
         keys = path_of(ast.literal_eval(f"({match[1]},)"))
         return f"table [{keys}] is defined twice ({reason[match.end() :]}"
@@ -137,12 +137,12 @@ def _translate_reason(reason: str) -> str:
 
 
 def _suggest_number(text: str, reason: str) -> str:
-    """Return what to do about a line of TOML that is a number as people write it: with a comma, or with its unit."""
+    """Return the remedy for a line of TOML with a number written with a decimal comma, or with its unit."""
     place = re.search(r"at line (\d+)", reason)
     line = text.split("\n")[int(place[1]) - 1] if place else ""
     if re.search(r"=\s*[-+]?\d+,\d", line):
         return "; use a decimal point"
-    # Neither digits of other bases nor what is longer than any number and unit.
+    # Not digits of other bases, nor anything longer than a number with a unit.
     if number := re.search(r"=\s*(?!0[xob])([-+]?\d[\d.]{0,20}\s?(?![eE][-+]?\d)[A-Za-z][\w/^ ]{0,11}?)\s*(#|$)", line):
         return f'; quote a number with its unit, "{number[1]}"'
     return ""
@@ -189,7 +189,7 @@ def write_new(text: str, path: str | Path) -> None:
 
 @contextlib.contextmanager
 def name_file_in_errors(path: str | Path) -> Iterator[None]:
-    """Put the file's name in front of every mistake raised in a ``with`` block, unless it is there already."""
+    """Prefix every mistake raised in a ``with`` block with the file's name, unless it has it already."""
     try:
         yield
     except CaseError as error:

@@ -22,7 +22,7 @@ Table = tuple[Sequence[str], Iterable[Iterable[Any]]]
 
 
 def refuse_missing_writer() -> None:
-    """Raise, before the work starts, what `write_workbook` would raise at its end.
+    """Raise, before the work starts, the error that `write_workbook` would raise at its end.
 
     Raises
     ------
@@ -40,8 +40,8 @@ def refuse_too_many(option: str, rows: int) -> None:
     InputError
     """
     if rows >= MOST_ROWS:
-        condition = f"have at most {MOST_ROWS - 1:,} rows, which is what a sheet holds"
-        raise InputError(option, f"{rows:,} rows", condition, "take the CSV file, or the Parquet file")
+        condition = f"have at most {MOST_ROWS - 1:,} rows, the limit of a sheet"
+        raise InputError(option, f"{rows:,} rows", condition, "use the CSV file or the Parquet file")
 
 
 def write_workbook(path: Path, sheets: Mapping[str, Table]) -> None:
@@ -68,7 +68,7 @@ def write_workbook(path: Path, sheets: Mapping[str, Table]) -> None:
         if not isinstance(value, str):
             return value if not isinstance(value, float) or math.isfinite(value) else None
         made = WriteOnlyCell(sheet, printable_name(value))
-        made.data_type = "s"  # text that begins with an equals sign is no formula
+        made.data_type = "s"  # text that begins with an equals sign is not a formula
         return made
 
     book = openpyxl.Workbook(write_only=True)
@@ -97,7 +97,7 @@ def inputs_table(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> Table:
 
 
 def _fills_a_cell(place: tuple[str | int, ...], value: Any) -> bool:
-    """Return whether a value of a document is a number, a word, or a list of these, which is shown as a whole."""
+    """Return whether a value of a document fills one cell: a number, a word, or a list of these."""
     if isinstance(value, list):
         return not any(isinstance(entry, dict | list) for entry in value)
     return not isinstance(value, dict) and isinstance(place[-1], str)

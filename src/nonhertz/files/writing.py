@@ -1,4 +1,4 @@
-"""Writing inputs into the tables of files, by what their fields hold."""
+"""Writing inputs into the tables of files, by the types of their fields."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from nonhertz.model.profile import Profile, Straight, Sum, Transformed
 
 
 def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
-    """Return what a file holds of a value: tables, lists, numbers in base units, words.
+    """Return a value as in a file: tables, lists, numbers in base units, words.
 
     Parameters
     ----------
     value : object
-        An input, or what a field of one holds.
+        An input, or the value of a field of one.
     name : str
-        Its field, for the message.
+        Name of the field, for the message.
     defaults : bool
         Whether fields of an input that are at their defaults are written too.
 
     Raises
     ------
     InputError
-        If no file can hold it, as a profile or a diameter of a user-defined class.
+        If it cannot be written, such as a profile or a diameter of a user-defined class.
     """
     if isinstance(value, Profile):
         return list(profile_tables(value))
@@ -46,7 +46,8 @@ def document_of(value: Any, *, name: str = "", defaults: bool = True) -> Any:
     if hasattr(value, "__float__"):
         return float(value)
     table = " or a table" if name.endswith(("diameter", "bore")) else ""
-    raise InputError(name, value, f"be a number{table} to go into a file", "tabulate it, or use it in Python alone")
+    condition = f"be a number{table} to be written to a file"
+    raise InputError(name, value, condition, "tabulate it, or use it only in Python")
 
 
 def _table(value: Input, defaults: bool) -> dict[str, Any] | str:
@@ -85,4 +86,4 @@ def profile_tables(profile: Profile) -> list[dict[str, Any]]:
         changed = {name: value for name, value in moves.items() if value != usual[name]}
         return [table | changed for table in profile_tables(profile.profile)]
     remedy = "tabulate it: nonhertz.profile.tabulated(y, profile.relief(y))"
-    raise InputError("profile", type(profile).__name__, "be from the catalogue to go into a case file", remedy)
+    raise InputError("profile", type(profile).__name__, "be from the catalogue to be written to a case file", remedy)

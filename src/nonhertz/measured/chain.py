@@ -53,14 +53,14 @@ if TYPE_CHECKING:
 
     from nonhertz.measured.fitting import ProfileFit
 
-# Fraction of outliers that no sound surface has: beyond it the threshold is wrong or the surface scratched.
+# Fraction of outliers above that of any sound surface: the threshold is wrong or the surface is scratched.
 _MANY_OUTLIERS = 0.02
 _MANY_GAPS = 5
 # Fraction of the line whose points may lie too far apart for the filter before a warning is given.
 _COARSE = 0.01
-# mm, and how much more of the line a parabola of that radius has to be than everything else: a line in wrong units.
+# mm, and the ratio of the height of a parabola of that radius to all other deviations: a line in wrong units.
 _LARGEST_RADIUS, _PLAIN = 1e6, 5.0
-_SURELY_LONG = 10.0  # mm, of a trace whose land is longer than the cutoff: no step has to be made to know
+_SURELY_LONG = 10.0  # mm: the land of such a trace is certainly longer than the cutoff
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -151,7 +151,7 @@ class Measured(ShortRepr, HasHtml):
 
     @cached_property
     def states(self) -> tuple[StepResult, ...]:
-        """The raw points, and the points after each step with what the step did."""
+        """The raw points, and the points after each step with its effect."""
         words = f"{len(self.trace)} points from {mm(self.trace.y[0], self.trace.y[-1], between=' to '):.5g}."
         states = [StepResult("raw", self.trace, words, {"points": float(len(self.trace))})]
         for step in self.steps:
@@ -170,7 +170,7 @@ class Measured(ShortRepr, HasHtml):
 
     @property
     def interpolation(self) -> Interpolation:
-        """The curve through the points that suits them."""
+        """The suitable curve through the points."""
         smooth = self._has("smooth") and not self.points.gaps and not self._coarse_corners()
         return "cubic" if smooth else "pchip"
 
@@ -200,27 +200,27 @@ class Measured(ShortRepr, HasHtml):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What to know before solving with the profile, judged for a typical bearing contact of steel."""
+        """Doubts before solving with the profile, judged for a typical bearing contact of steel."""
         return sentences(self.findings_for())
 
     def findings_for(
         self, half_width: float = HALF_WIDTH, pressure: float = PRESSURE, compliance: float = STEEL_COMPLIANCE
     ) -> tuple[Finding, ...]:
-        """Return what to know before solving with the profile.
+        """Return doubts before solving with the profile.
 
         Parameters
         ----------
         half_width : float
             Half-width of the contact [mm].
         pressure : float
-            Its pressure [MPa].
+            Pressure of the contact [MPa].
         compliance : float
             Compliance of both bodies together [1/MPa], that of a body being (1 - nu^2) / (pi E).
 
         Returns
         -------
         tuple of Finding
-            Empty if there is nothing to know.
+            Empty if there are none.
         """
         findings = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
         findings += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
@@ -262,13 +262,13 @@ class Measured(ShortRepr, HasHtml):
         """Yield each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
         for step in steps_in(self._before(*slopes), next(iter(slopes.values()))) if slopes else ():
-            beyond = "what lies beyond it was taken to be another body: if it is not, omit align and trim to a length."
-            what = "both sides were taken to be one body: check that they are." if step.within else beyond
+            beyond = "the part beyond it was taken for another body: if it is not, omit align and trim to a length."
+            what = "both sides were taken for one body: check that they are." if step.within else beyond
             words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
             yield finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
 
     def _doubted(self) -> Iterator[Finding]:
-        """Yield that the line is as long, or as little curved, as one is whose units are wrong."""
+        """Yield that the line is so long, or so little curved, that its units are probably wrong."""
         points = self._before("smooth", "thin").on_land
         curve = nominal_form(points, 2)
         bow = curve - nominal_form(points, 1)
@@ -303,7 +303,7 @@ class Measured(ShortRepr, HasHtml):
         return [
             finding(
                 "coarse-corner",
-                f"The corner at the {name} end has {{points}} points only, more than a fifth of {{cutoff:.2g}} apart: "
+                f"The corner at the {name} end has only {{points}} points, more than a fifth of {{cutoff:.2g}} apart: "
                 "too few to be smoothed, and the pressure there depends on where they lie; measure it in finer steps, "
                 "or cut it off and give corner_radius.",
                 points=int(np.sum(corner)),
@@ -334,19 +334,19 @@ class Measured(ShortRepr, HasHtml):
 def prepare(
     trace: Annotated[Trace, Part("the raw measurement", Trace, "read one with nonhertz.files.traces.read_trace")],
     *,
-    level: Annotated[bool, Flag("whether to take off the tilt at which the body lay in the machine")] = True,
+    level: Annotated[bool, Flag("whether to remove the tilt of the body in the measuring machine")] = True,
     align: Annotated[
         bool | Middle,
         OrFlag(
             Word("", "choose how to find the middle", get_args(Middle)),
-            "how the middle of the body is found, 'ends' (true) or 'symmetry'; false leaves y as it is",
+            "how to find the middle of the body, 'ends' (true) or 'symmetry'; false leaves y unchanged",
         ),
     ] = True,
     trim: Annotated[
         float | str | bool,
         OrFlag(
             Quantity("mm", "", positive, "give the length to keep in mm, or 'auto'", {"auto": "land and corners"}),
-            "'auto' finds the land and its corners, a length is kept about y = 0, false keeps all",
+            "'auto' keeps the land and its corners, a number that length about y = 0, false everything",
         ),
     ] = "auto",
     corner: CornersKept = "keep",
@@ -354,14 +354,14 @@ def prepare(
         float | bool,
         OrFlag(
             Quantity("", "", positive, "give a number of robust standard deviations, such as 5"),
-            "robust standard deviations beyond which points are taken out; true for 5, false for none",
+            "number of robust standard deviations beyond which points are removed; true for 5, false for none",
         ),
     ] = True,
     smooth: Annotated[
         bool | Filter,
         OrFlag(
             Word("", "choose a filter", get_args(Filter)),
-            "the filter that takes roughness off, 'gaussian' (true) or 'spline', or false",
+            "the filter that removes roughness, 'gaussian' (true) or 'spline', or false",
         ),
     ] = "gaussian",
     cutoff: Annotated[float | None, Smooth.descriptions["cutoff"]] = None,
@@ -370,14 +370,14 @@ def prepare(
         int | str | bool,
         OrFlag(
             Count("", FEWEST_POINTS, math.inf, "give a number of points to keep", {"auto": "eight per cutoff"}),
-            "how many points to keep; 'auto' for eight per cutoff, false for all",
+            "number of points to keep; 'auto' for eight per cutoff, false for all",
         ),
     ] = "auto",
 ) -> Measured:
     """Return a trace with the usual steps: level, align, trim, outliers, smooth, thin.
 
-    Without a cutoff it is that usual for rollers, or a fifth of a land that is shorter; without a slope 0.05. Eight
-    points per cutoff are all points where there is no filter; corners have points of their own.
+    The default cutoff is that usual for rollers, or a fifth of a shorter land; the default slope is 0.05. Without a
+    filter all points are kept instead of eight per cutoff; corners have points of their own.
 
     Returns
     -------

@@ -6,9 +6,9 @@ the joint.
 
 **Joint.** The search for the land finds its ends to within a chord, and a corner is tangent to the land where it
 begins. So the joint is where one curve, a parabola of the land and beyond the joint a second one added to it, comes
-closest to the points in the least-square sense. A joint that is too far out adds a small crest, which a contact presses
-on, while one too far in only lets some points of the land be smoothed less. Therefore the innermost joint is taken that
-is as likely as the best one within two standard errors.
+closest to the points in the least-square sense. A joint that is too far out adds a small crest, which would be loaded
+in a contact, while one too far in only leaves some points of the land less smooth. Therefore the innermost joint is
+taken that is as likely as the best one within two standard errors.
 
 **Smoothing.** The corner has roughness too, and a stylus some noise; unfiltered, the maximum pressure would be that of
 the highest grain. A Gaussian regression filter of second order (ISO 16610-31 without its weights for outliers) with a

@@ -16,7 +16,7 @@ import numpy as np
 from nonhertz.measured.outlying import runs
 from nonhertz.measured.trace import Array, Points
 
-#: Of comparisons, so that a mirror image decides alike.
+#: Tolerance of comparisons, so that a mirror image has the same steps.
 ROUNDING = 1e-9
 #: The least length of surface on either side of a step, over the length of the trace.
 BESIDE_STEP = 0.02
@@ -83,7 +83,7 @@ def _are_groove(step: SurfaceStep, other: SurfaceStep, span: float) -> bool:
 
 
 def _rise_at(points: Points, middle: float, half: float) -> float:
-    """Return by how much the surface on the right lies above that on the left [mm], zero if it does not go on there.
+    """Return the height of the surface on the right above that on the left [mm]; zero if it does not continue there.
 
     Each side is a line through the medians of its two halves, so that a scratch beside the step does not count. Both
     have the same slope, and on one side at least the surface goes on at that slope, unlike a wave.

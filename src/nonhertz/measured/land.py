@@ -86,14 +86,14 @@ def corner_ends(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, fl
 
 
 def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep, ...]:
-    """Return the steps of up to 0.2 mm in a line: those within the land, and what parts it from another stretch.
+    """Return the steps of up to 0.2 mm in a line: those within the land, and those between it and another stretch.
 
     Arguments and errors are those of `land`.
     """
     low, high = land(points, slope)
     steps, level, runs = _gentle(points, slope)
     within = [step for step in steps if low < step.y < high and abs(step.height) <= _HIGH_STEP]
-    # What makes the two halves less alike when it is taken off was a wave, and none of its steps is one.
+    # If removing the steps makes the two halves less alike, they were a wave, not steps.
     worse = _unlike(points, (low, high), within)[0] > _WORSE * _unlike(points, (low, high), [])[0] + _WORSE_BY
     distinct = [] if worse else [step for step in within if abs(step.height) <= _LOW_STEP]
     long = [run for run in runs if _is_long(points, run)]
@@ -108,7 +108,7 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
 
 
 def _parting(points: Points, before: float, behind: float, level: float) -> SurfaceStep:
-    """Return what parts two stretches that end and begin at two positions, of a line with a slope."""
+    """Return the step between two stretches that end and begin at two positions, of a line with a slope."""
     z0, z1 = np.interp((before, behind), points.y, points.height)
     return SurfaceStep(0.5 * (before + behind), float(z1 - z0 - level * (behind - before)), within=False)
 
@@ -140,7 +140,7 @@ def tilt(points: Points, slope: float = CHAMFER_SLOPE) -> float:
 
 
 def _unlike(points: Points, ends: tuple[float, float], steps: list[SurfaceStep]) -> tuple[float, float]:
-    """Return by how much a land without some steps differs from its mirror image [mm], less the tilt, and that."""
+    """Return the difference of a land without some steps from its mirror image [mm], without the tilt, and the tilt."""
     low, high = ends
     middle = 0.5 * (low + high)
     height = points.height - sum((step.height * (points.y > step.y) for step in steps), np.zeros(len(points)))

@@ -34,7 +34,7 @@ _FEWEST_THINNED, _MOST_THINNED = 51, 1001
 Middle = Literal["ends", "symmetry"]
 #: How roughness is removed.
 Filter = Literal["gaussian", "spline"]
-#: What becomes of the corners beyond the land.
+#: Treatment of the corners beyond the land.
 Corners = Literal["keep", "cut"]
 ChamferSlope = Annotated[
     float,
@@ -42,14 +42,14 @@ ChamferSlope = Annotated[
         "",
         "slope at which the land ends and a chamfer begins",
         positive,
-        "give the slope at which a chamfer begins, 0.05 being 50 um in a millimetre",
+        "give the slope at which a chamfer begins, such as 0.05, 50 um in a millimetre",
     ),
 ]
 CornersKept = Annotated[
     Corners,
     Word(
-        "whether corners that the trace holds are kept ('keep'), smoothed apart from the land, or cut off ('cut')",
-        "choose what becomes of the corners",
+        "whether corners in the trace are kept ('keep'), smoothed separately from the land, or cut off ('cut')",
+        "choose one of them",
         get_args(Corners),
     ),
 ]
@@ -57,7 +57,7 @@ CornersKept = Annotated[
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StepResult(ShortRepr):
-    """The points after a step, and what the step did.
+    """The points after a step, and its effect.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class StepResult(ShortRepr):
     points : Points
         The remaining points.
     words : str
-        A sentence on what was done, with its numbers.
+        A sentence on the step, with its numbers.
     numbers : mapping of str to float
         The numbers: ``tilt`` [rad], ``shift``, ``low``, ``high`` [mm], ``removed`` (a count) and so on.
     removed : tuple of array or None
@@ -99,17 +99,17 @@ class StepResult(ShortRepr):
 
 
 class Step(Protocol):
-    """What all steps have: a name by which to undo them, and their action on points."""
+    """A step: a name by which to undo it, and its action on points."""
 
     name: ClassVar[str]
 
     def apply(self, points: Points) -> StepResult:
-        """Return the points after the step and what it did."""
+        """Return the points after the step, and its effect."""
 
 
 @input_class()
 class Level(Input):
-    """Remove the tilt at which the body lay in the machine.
+    """Remove the tilt of the body in the measuring machine.
 
     Chamfers are left out. About the middle of the land between them the heights have an even part, which contains any
     symmetric shape, and an odd part, in which a tilt is a straight line. The line of least absolute deviations through
@@ -175,7 +175,7 @@ class Align(Input):
 
 @input_class()
 class Trim(Input):
-    """Cut off what does not belong to the body, and mark where the land ends and the corners begin.
+    """Cut off everything that does not belong to the body, and mark the ends of the land, where corners begin.
 
     See `nonhertz.measured.corners`.
 
@@ -190,8 +190,8 @@ class Trim(Input):
         float | None,
         Quantity(
             "mm",
-            "length to keep, half of it on either side of y = 0, all of it as one land; if left out, the ends of the "
-            "land and of the corners are found, each up to its lowest point",
+            "length to keep, half of it on either side of y = 0, all of it as one land; if left out, the land and its "
+            "corners are kept, each corner up to its lowest point",
             positive,
             "give the length to keep in mm, or 'auto'",
         ),
@@ -267,7 +267,7 @@ class Outliers(Input):
         float,
         Quantity(
             "",
-            "robust standard deviations beyond which a point is removed",
+            "number of robust standard deviations beyond which a point is removed",
             positive,
             "give a number of robust standard deviations, such as 5",
         ),
@@ -306,7 +306,7 @@ class Smooth(Input):
         float,
         Quantity(
             "mm",
-            "wavelength of which the filter lets half through",
+            "wavelength at which the filter transmits 50 %",
             positive,
             "give a wavelength in mm, such as 0.8",
         ),
@@ -338,7 +338,7 @@ class Smooth(Input):
         after = points.lifted(height)
         edges = [name for name, turn in zip(("low", "high"), turns(after), strict=True) if turn > SHARPEST]
         if edges:
-            words += f" At the {' and '.join(edges)} end the corner begins with an edge, at which the largest pressure "
+            words += f" At the {' and '.join(edges)} end the corner begins with an edge, at which the maximum pressure "
             words += "depends on the points."
         return StepResult(self.name, after, words, {"cutoff": self.cutoff, "rms": rms}, removed_height=rough)
 
@@ -355,7 +355,7 @@ class Thin(Input):
     count: Annotated[
         int,
         Count(
-            "how many points of the land to keep; a land with fewer is left unchanged",
+            "number of points of the land to keep; a land with fewer is left unchanged",
             FEWEST_POINTS,
             math.inf,
             "give a number of points to keep, or 'auto'",

@@ -24,7 +24,7 @@ _EVEN, _UNEVEN, _TENTH = 0.25, 0.02, 0.1
 FARTHEST = 1e6  # mm; no machine measures a kilometre
 LONGEST = 1e3  # mm; few measure more than a metre, and a file in um taken for mm looks that long
 
-_INNER = 0.9  # of a trace, which its corners leave
+_INNER = 0.9  # of a trace: the part without its corners
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,7 +126,7 @@ class Points(ShortRepr):
 
     @property
     def height_between_corners(self) -> Array:
-        """Heights of the land [mm], or before it is known those of the middle nine tenths: what drawings are for."""
+        """Heights of the land [mm], or of the middle nine tenths before it is known: the range of drawings."""
         if self.land is not None:
             return self.on_land.height
         from_middle = np.abs(self.y - 0.5 * (self.y[0] + self.y[-1]))

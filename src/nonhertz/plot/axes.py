@@ -1,4 +1,4 @@
-"""What all axes share: a figure of their own, the unit of their numbers, frame, words and key."""
+"""The common parts of all axes: a figure of their own, the unit of their numbers, frame, words and legend."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ P = ParamSpec("P")
 T = TypeVar("T")
 Alignment = Literal["left", "center", "right"]
 
-#: Axes that a drawing is not given, so that it makes a figure of its own.
+#: Default of ``ax``: a drawing then makes a figure of its own.
 OWN: Any = None
 OWN_SIZE = 6.7, 3.7  # inch
 
 ROUND = (1, 2, 5, 10)
-"""What the steps between ticks are, times a power of ten."""
+"""The steps between ticks, times a power of ten."""
 
 
 def drawing(draw: Callable[P, T], projection: str | None = None) -> Callable[P, T]:
@@ -60,7 +60,7 @@ def drawing(draw: Callable[P, T], projection: str | None = None) -> Callable[P, 
 
 
 class Measure(NamedTuple):
-    """How numbers of one unit are drawn: times a factor, on an axis that is labelled with the unit that people read.
+    """The scale of numbers of one unit: a factor, and the unit with which the axis is labelled.
 
     Examples
     --------
@@ -85,7 +85,7 @@ class Measure(NamedTuple):
 
 
 def measure(unit: str, read: str = "", values: Iterable[float] = ()) -> Measure:
-    """Return how numbers in a unit of the program are drawn, that people read in another, or in one that suits some."""
+    """Return the scale of numbers in a unit of the program, shown in ``read`` or in a unit that suits ``values``."""
     return Measure(*amount(values, unit, read).scale)
 
 
@@ -115,7 +115,7 @@ def note(
     across: bool = False,
     **style: Any,
 ) -> None:
-    """Write small words at a point, or away from it to the side on which they stand and above it [points].
+    """Write small words at a point, or offset to their side and above it [points].
 
     Words with a ``side`` "left" begin there. The second number of a point is a share of the axes if it is ``across``.
     """

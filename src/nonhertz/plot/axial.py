@@ -1,4 +1,4 @@
-"""What all drawings along the axis share: the bodies' ends, marks, the heading and number formatting."""
+"""The common parts of drawings along the axis: the bodies' ends, marks, the heading and number formatting."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def number(value: float, digits: int = 4) -> str:
 
 
 def written(value: Amount, digits: int = 4) -> str:
-    """Return numbers to so many significant digits with their unit, as `number` writes them.
+    """Return numbers to ``digits`` significant digits with their unit, as `number` writes them.
 
     Examples
     --------

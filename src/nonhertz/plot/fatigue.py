@@ -1,4 +1,4 @@
-"""Where along a contact its bodies fatigue, and what a dent does to its surroundings."""
+"""The damage along a contact, and the stress and damage around a dent."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nonhertz.plot.style import sheet_style
 
 @drawing
 def life_density(spectrum: Spectrum, lives: Sequence[Life], ax: Axes = OWN, *, compared: Sequence[Life] = ()) -> Axes:
-    """Draw where a body fatigues: damage per length against y, over its mean under the ideal pressure.
+    """Draw the fatigue of a body: damage per length against y, over its mean under the ideal pressure.
 
     1, the thin line, is Hertz's line pressure with the load spread evenly. The laminae of ISO/TS 16281 are steps. If
     the damage by any model exceeds six times the ideal somewhere, the axis is logarithmic, from a hundredth. The legend
@@ -63,7 +63,7 @@ def life_figure(
 
 
 def dent_figure(overrolled: Overrolled, model: VolumeModel, title: str = "") -> Figure:
-    """Return a figure of what a dent that is rolled over does to its surroundings, by one model.
+    """Return a figure of stress and damage around a dent that is rolled over, by one model.
 
     On the left the largest value of the model's stress over the passage and the depth; on the right the share of the
     added damage that lies within a distance of the middle, in either direction. Thin lines are the bowl and the rim.

@@ -1,4 +1,4 @@
-"""What is drawn of a contact, a whole bearing or a comparison: by name, and as finished figures as wide as a page."""
+"""Drawings of a contact, a whole bearing or a comparison: by name, and as finished figures of page width."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def figures(result: Solution | BearingSolution, title: str = "", *, films: Films
     title : str
         Heading of every figure; none if empty.
     films : Films, optional
-        For a bearing, its films of oil.
+        For a bearing, its oil films.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def bearing_figures(
     maps : BearingMaps, optional
         For the displacement, in place of slices; see `displacement_against_load`.
     films : Films, optional
-        Its films of oil, of `nonhertz.bearing.films`.
+        Its oil films, from `nonhertz.bearing.films`.
 
     Returns
     -------
@@ -109,7 +109,7 @@ def comparison(methods: Comparison, title: str = "") -> Figure:
     Parameters
     ----------
     methods : Comparison
-        What `nonhertz.compare` returned.
+        The result of `nonhertz.compare`.
     title : str
         Heading; none if empty.
 

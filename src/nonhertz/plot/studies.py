@@ -1,4 +1,4 @@
-"""Drawings of studies: numbers against one or two parameters, and how they are distributed.
+"""Drawings of studies: numbers against one or two parameters, and distributions.
 
 They take plain arrays and labels, so that numbers of any origin can be drawn.
 """
@@ -29,7 +29,7 @@ def study_lines(
     x : array_like, shape (n,)
         Values of the parameter: numbers, or words.
     lines : mapping of str to array_like, shape (n,)
-        Numbers by what the line is called; a single line needs no name.
+        Numbers by name of the line; a single line needs no name.
     x_label, y_label : str
         Names of the axes, with units.
     key : str
@@ -73,7 +73,7 @@ def histogram(
     quantiles: Mapping[float, tuple[float, float]] | None = None,
     limits: Sequence[float] = (),
 ) -> Axes:
-    """Draw how numbers are distributed, with quantiles and the intervals in which they surely lie.
+    """Draw the distribution of numbers, with confidence intervals of quantiles.
 
     If the largest is more than ten times the smallest, the axis is logarithmic. Else single numbers far beyond the
     others, by as much as those between 1 % and 99 % differ, are not drawn; their share is written below.
@@ -85,9 +85,9 @@ def histogram(
     label : str
         Name of the numbers, with their unit.
     quantiles : mapping of float to pair of float, optional
-        Intervals by share, such as ``{0.5: (1990.0, 2010.0)}``.
+        Intervals by probability, such as ``{0.5: (1990.0, 2010.0)}``.
     limits : sequence of float
-        Limits that the numbers are to keep.
+        Limits of the numbers.
     """
     return _draw(studies.distribution(Axis(label), _numbers(values), quantiles, limits), ax)
 
@@ -110,7 +110,7 @@ def tornado(
     first, total : array_like, shape (n,)
         Their indices, from 0 to 1.
     intervals : pair of array_like, shape (2, n), optional
-        Lower and upper ends of the intervals in which both lie.
+        Lower and upper ends of the confidence intervals of both.
     """
     ends = None if intervals is None else (_numbers(intervals[0]), _numbers(intervals[1]))
     return _draw(studies.variance_shares(names, _numbers(first), _numbers(total), ends), ax)
@@ -131,7 +131,7 @@ def profile_band(
     band : pair of array_like, shape (n,)
         Lowest and highest relief of the band [mm].
     label : str
-        What the band is.
+        Name of the band.
     """
     low, high = band
     panel = studies.profile_band(_numbers(y), _numbers(nominal), (_numbers(low), _numbers(high)), label=label)

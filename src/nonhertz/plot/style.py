@@ -30,7 +30,7 @@ BACKING: dict[str, Any] = {"facecolor": "white", "alpha": 0.85, "edgecolor": "no
 
 SIZE, SMALL_SIZE, TITLE_SIZE = 8.5, 7.5, 10.0
 
-# What is other than matplotlib's own settings. DejaVu Sans comes with matplotlib: a figure looks the same on every
+# Differences from matplotlib's own settings. DejaVu Sans comes with matplotlib: a figure looks the same on every
 # machine. Letters become outlines in SVG for the same reason. The salt makes the identifiers in an SVG file, random by
 # default, a function of its content.
 SETTINGS: Any = {

@@ -40,7 +40,7 @@ def axial_stress(
     solution : Solution
         A solved contact.
     field : Field, shape (m, n)
-        What `nonhertz.subsurface.axial_plane` returned.
+        The result of `nonhertz.subsurface.axial_plane`.
     overall : Extremes
         The largest stresses in that body.
     ax : matplotlib.axes.Axes, optional
@@ -75,7 +75,7 @@ def section_stress(
     solution : Solution
         A solved contact.
     field : Field, shape (m, n)
-        What `nonhertz.subsurface.cross_section` returned.
+        The result of `nonhertz.subsurface.cross_section`.
     section : Extremes
         The largest stresses in that cross-section.
     ax : matplotlib.axes.Axes, optional
@@ -131,7 +131,7 @@ def stress_figures(
     title : str
         Heading of every figure; none if empty.
     planes : mapping of str to Field, optional
-        What `stress_planes` returned; evaluated if left out.
+        The result of `stress_planes`; evaluated if left out.
 
     Returns
     -------
@@ -144,7 +144,7 @@ def stress_figures(
 def stress_planes_drawn(
     solution: Solution, overall: Extremes, section: Extremes, planes: Mapping[str, Field] | None = None
 ) -> dict[str, Values]:
-    """Return what `stress_figures` draws."""
+    """Return the figures of `stress_figures` as values."""
     planes = stress_planes(solution, section) if planes is None else planes
     along, across = planes["axial-plane"], planes["cross-section"]
     return {

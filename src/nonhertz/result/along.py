@@ -1,6 +1,6 @@
-"""What is worth showing along a contact: its range, the ends of the bodies and lands, the distance of the surfaces.
+"""The contents of figures along a contact: range, ends of the bodies and lands, distance of the surfaces.
 
-Nothing here knows how it is drawn: figures on paper, the page and tables show the same places and ranges.
+They are independent of drawing: figures on paper, the page and tables show the same positions and ranges.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from nonhertz.result.solution import Solution
 Array = NDArray[np.float64]
 
 RISE = 1.05
-"""Pressure at the end of a land over the least before it, from which on it is a peak."""
+"""Least ratio of the pressure at the end of a land to the minimum before it for a peak."""
 
 MARGIN = 0.06
 """Fraction of the axial range left free at each side, for the names of the bodies' ends."""
 
 CLOSE = 0.03
-"""Fraction of the axial range: two ends of bodies that are closer share their name."""
+"""Fraction of the axial range: closer ends of two bodies share one label."""
 
 LARGEST_CLEARANCE, CUT_CLEARANCE = 2.0, 1.0
 """Clearance, as a multiple of the deepest interference: up to the first all of it is shown; if there is more, the range
@@ -30,10 +30,10 @@ ends at the second, so that the interference fills half of it."""
 
 
 def axial_range(solution: Solution) -> tuple[float, float]:
-    """Return the range of y [mm] worth showing.
+    """Return the range of y [mm] to show.
 
-    It is that of the strips, including the bodies' ends if these are near. Where the contact is a small part of
-    the strips it is the contact's neighbourhood, so that the contact is legible.
+    It is that of the strips, including the bodies' ends if these are near. If the contact is a small part of the strips
+    it is the neighbourhood of the contact, so that this is legible.
     """
     low, high = float(solution.edges[0]), float(solution.edges[-1])
     if solution.contact_y:
@@ -49,7 +49,7 @@ def axial_range(solution: Solution) -> tuple[float, float]:
 
 
 def body_ends(solution: Solution) -> list[tuple[float, str]]:
-    """Return where a body ends along y [mm] and the name of the end, ascending."""
+    """Return position [mm] and name of every end of a body along y, ascending."""
     bodies = solution.contact.bodies
     kinds = [type(body).__name__.lower() for body in bodies.values()]
     distinct = kinds[0] != kinds[1] and "body" not in kinds
@@ -65,9 +65,9 @@ def body_ends(solution: Solution) -> list[tuple[float, str]]:
 
 
 def ends_in_sight(solution: Solution) -> dict[float, str]:
-    """Return where bodies end within the range worth showing [mm], ascending, and the name to write there.
+    """Return the ends of bodies within the range to show [mm], ascending, and their labels.
 
-    Of two on one side that are so close that their names would overlap, the outer has both names and the inner none.
+    If two ends on one side are so close that their labels would overlap, the outer one has both labels.
     """
     low, high = axial_range(solution)
     middle = 0.5 * (low + high)
@@ -82,10 +82,10 @@ def ends_in_sight(solution: Solution) -> dict[float, str]:
 
 
 def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
-    """Return place [mm] and pressure [MPa] where it rises again by 5 % towards an end, where the land of a body ends.
+    """Return position [mm] and pressure [MPa] of peaks at the ends of lands, where it rises again by 5 % or more.
 
-    That is the first peak from an end, within half a half-width of there. There is none at ends where the pressure has
-    no limit.
+    They are the first peaks from an end, within half a half-width of the end of the land. There is none at singular
+    ends.
     """
     pressed = solution.line_load > 0.0
     if not pressed.any():
@@ -107,15 +107,15 @@ def land_end_peaks(solution: Solution) -> list[tuple[float, float]]:
 
 
 def unlimited_ends(solution: Solution) -> tuple[EdgePressure, ...]:
-    """Return the ends of the contact where the pressure has no limit: sharp ones, and corners of the profile."""
+    """Return the ends of the contact where the pressure is unbounded: sharp ends, and corners of the profile."""
     return tuple(edge for edge in solution.edge_pressure if edge.kind in {EdgeKind.SINGULAR, EdgeKind.CORNER})
 
 
 def distances(solution: Solution) -> tuple[Array, Array]:
     """Return the surfaces' distance on the centre line [mm], undeformed and deformed, shape (strips,) each.
 
-    The undeformed one is negative where the bodies would overlap. An infinite relief cannot be drawn: both are NaN
-    there, and a line is interrupted.
+    The undeformed one is negative where the bodies would overlap. Both are NaN where the relief is infinite and cannot
+    be drawn, so that lines are interrupted.
     """
     before, after = -solution.interference, solution.gap
     finite = np.isfinite(before) & np.isfinite(after)
@@ -123,7 +123,7 @@ def distances(solution: Solution) -> tuple[Array, Array]:
 
 
 def distance_range(before: Array, after: Array) -> tuple[float, float]:
-    """Return the range of distances, in the unit of these, worth showing: the contact fills it."""
+    """Return the range of distances to show, in their unit: the contact fills it."""
     depth = max(-float(np.nanmin(before)), 0.0)
     clearance = float(np.nanmax(np.maximum(before, after)))
     if depth == 0.0:
@@ -136,14 +136,14 @@ def distance_range(before: Array, after: Array) -> tuple[float, float]:
 
 @dataclass(frozen=True, eq=False)
 class ContactLines:
-    """What is along a contact, as lines, shape (points,) each; nan separates pieces.
+    """Quantities along a contact as lines, shape (points,) each; NaN separates pieces.
 
     Attributes
     ----------
     y : ndarray
-        Positions [mm]: of every piece one end, the centres of its strips, and the other end.
+        Positions [mm]: for every piece one end, the centres of its strips, and the other end.
     line_load, pressure, half_width : ndarray
-        There [N/mm, MPa, mm]; zero at the ends.
+        Values there [N/mm, MPa, mm]; zero at the ends.
     """
 
     y: Array

@@ -31,7 +31,7 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
     solution : Solution or PatchSolution
         The solution.
     resolution : str
-        What it was solved on.
+        Strips or plane grid, in words.
     ends : iterable of str
         A description of each end of the contact.
     """
@@ -57,7 +57,7 @@ def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
 def _pressure(solution: Solved) -> str:
     where = f" {where_largest(solution, 4)}"
     if solution.peaks_at_corner:
-        return _numbers(solution, ("max_pressure",), 0.0, f"{where}, a corner of the profile: no limit")
+        return _numbers(solution, ("max_pressure",), 0.0, f"{where}, a corner of the profile: unbounded")
     return _numbers(solution, ("max_pressure",), solution.error_estimate.max_pressure, where)
 
 
@@ -75,7 +75,7 @@ def body_line(body: Body) -> str:
 
 
 def sizes(body: Body) -> Iterator[str]:
-    """Yield diameter and length of a body in words, as far as it has any."""
+    """Yield diameter and length of a body in words, if it has them."""
     if body.diameter is not None:
         yield f"diameter {mm(body.diameter):g}" if isinstance(body.diameter, float | int) else "diameter varying"
     if body.length is not None:
@@ -83,7 +83,7 @@ def sizes(body: Body) -> Iterator[str]:
 
 
 def where_largest(solution: Solved, significant: int = 5) -> str:
-    """Return where the largest pressure is, in words: both places if they mirror each other."""
+    """Return the position of the maximum pressure in words: both positions if they mirror each other."""
     places = mm(*places_of_largest(solution), between=" and ")
     away = ", away from singular ends" if solution.singular_ends else ""
     return f"at y = {places:{significant}}{away}"

@@ -28,9 +28,8 @@ MOST_OF_RADIUS = 0.3  # a circle departs from its parabola there by 2 % of its d
 MOST_OF_MODULUS = 0.1  # the hardness of metals and ceramics is a few hundredths of their modulus
 LEAST_DEPTH, LEAST_OF_ALL = 3.0, 1.0  # half-widths: a warning below the first, an error below the second
 HEAVIEST = 1.0 + 1e-9  # largest kappa, with room for the rounding of a sum that is 1
-WAY_OUT = (
-    "reduce it, or check diameters, moduli, tilt and units"  # of a load or approach under which bodies are too small
-)
+# The remedy for a load or approach that is too large for the bodies.
+WAY_OUT = "reduce it, or check diameters, moduli, tilt and units"
 WIDER_THAN_LONG = 1.02  # so that rounding does not make a circle count as wide
 # Of the largest interference; waves from 0.75 half-widths upwards then cost the approach up to MODEL_ERROR times the
 # square, by the plane grid. Usual profiles have 4e-4 at most.
@@ -39,14 +38,14 @@ MOST_UNEVEN, MODEL_ERROR = 0.01, 7.0
 
 @dataclass(frozen=True)
 class ValidityCheck:
-    """One condition of the model, and how a case stands against it.
+    """One condition of the model, and the value of a case.
 
     Attributes
     ----------
     assumption : str
         What is assumed.
     criterion : str
-        When that is justified.
+        When the assumption is justified.
     value, limit : float
         The value in this case, and the limit that it must not pass.
     findings : tuple of Finding
@@ -76,7 +75,7 @@ def checks(solution: Solution, values: core.Checks, freed: tuple[End, ...]) -> t
     solution : Solution
         The solution.
     values : core.Checks
-        How it stands against each condition.
+        The values for the conditions.
     freed : tuple of End
         The side faces from `nonhertz.bodies.ends`.
     """
@@ -90,7 +89,7 @@ def checks(solution: Solution, values: core.Checks, freed: tuple[End, ...]) -> t
 
 
 def holding(values: core.Checks, softer: float) -> bool:
-    """Return whether all conditions hold but that of side faces; ``softer`` is the modulus of the softer body [MPa]."""
+    """Return whether all conditions but that of side faces hold; ``softer`` is the modulus of the softer body [MPa]."""
     return (
         values.length_ratio <= WIDER_THAN_LONG
         and values.radius_ratio <= MOST_OF_RADIUS
@@ -138,8 +137,8 @@ def _even(values: core.Checks) -> ValidityCheck:
     problem = finding(
         "short-waves",
         "Within a half-width the bodies depart by {departure:.2g} from parabolas, {share:.2g} % of the interference "
-        "and over {limit:g} %. Such short waves change the pressure across, which strips take as given, and the "
-        "approach by up to {cost:.2g} %; compare with the plane grid.",
+        "and over {limit:g} %. Such short waves change the distribution across, which strips assume, and the approach "
+        "by up to {cost:.2g} %; compare with the plane grid.",
         departure=um(departure),
         share=share,
         limit=100.0 * MOST_UNEVEN,
@@ -169,8 +168,8 @@ def thick(contact: Contact, shape: Shape, y: Array, half_width: Array) -> Iterat
     for name, _, ratio in depths(contact, shape, y, half_width):
         problem = finding(
             "thin-body",
-            "The depth of body {body} is only {ratio:.2f} half-widths, less than {limit:g}: the body is so thin that "
-            "neither half-spaces nor line loads describe it.",
+            "The depth of body {body} is only {ratio:.2f} half-widths, less than {limit:g}: the body is too thin for "
+            "half-spaces and line loads.",
             body=name,
             ratio=ratio,
             limit=LEAST_DEPTH,
@@ -195,7 +194,7 @@ def refuse_thin_bodies(
 ) -> None:
     """Refuse a depth of less than ``least`` half-widths, where the points at depth move as much as the surface.
 
-    ``pressed`` are name and value of what is prescribed, which is refused where the depth was not given.
+    ``pressed`` are name and value of the prescribed load or approach, which is refused if no depth was given.
 
     Raises
     ------
@@ -223,7 +222,7 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     problems = tuple(
         finding(
             "images-too-heavy",
-            "The images about the side face at y = {y:.6g} would weigh {weight:.3g} of the surface, including a face "
+            "The images about the side face at y = {y:.6g} would have a total weight of {weight:.3g}, including a face "
             "of the other body at the same place, so their weights were lowered to a total of 1. Above 1 refinement "
             "does not converge; only the lower weights make the pressure up to that end finite.",
             y=mm(end.y),
@@ -234,6 +233,6 @@ def image_weights(freed: tuple[End, ...]) -> Iterator[ValidityCheck]:
     places = mm(*(end.y for end in heavy), between=" and ")
     remark = f"Those about y = {places:.5g} were lowered to a total of 1; only this makes the pressure there finite."
     yield ValidityCheck(
-        "Images about side faces", "weight of at most 1 of the surface", max(end.requested for end in freed), HEAVIEST,
+        "Images about side faces", "total weight of at most 1", max(end.requested for end in freed), HEAVIEST,
         problems, remark if heavy else "",
     )  # fmt: skip

@@ -56,8 +56,8 @@ def name_axes(
 ) -> dict[str, NDArray[Any]]:
     """Return the axes of broadcast inputs by the name of the one that varies along each, with its values.
 
-    Where none varies along an axis, or several do, or one that varies along another axis, too, it is named ``other``,
-    numbered if there are several axes, and its values count from 0.
+    An axis along which none varies, or several, or one that also varies along another axis, is named ``other``,
+    numbered if there are several such axes, and its values count from 0.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def name_axes(
     shape : tuple of int
         The shape of the axes, "(...)" above.
     other : str
-        What an axis is called that no input names.
+        Name of an axis without an input.
     """
     varying = {
         name: [axis for axis in range(len(shape)) if np.any(values != np.take(values, [0], axis))]
@@ -112,11 +112,11 @@ def library(name: str, caller: str, extra: str = "data", package: str | None = N
     name : str
         The library.
     caller : str
-        What needs it, for the error.
+        Name of the caller, for the error.
     extra : str
         The extra of this package that installs it.
     package : str, optional
-        What it is installed as, if not by its name.
+        Name of its package, if that differs.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""How a contact ends, and the pressure there."""
+"""The kinds of ends of a contact, and the pressure there."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ Array = NDArray[np.float64]
 
 
 class EdgeKind(enum.Enum):
-    """How a contact ends; each member's value is the sentence that the user reads."""
+    """The kind of an end of a contact; each member's value is the sentence that the user reads."""
 
     RUN_OUT = "The contact ends inside the bodies, where the pressure falls to zero."
-    FINITE = "The side faces freed here make up a whole mirror, and the pressure up to the end is finite."
+    FINITE = "The image weights of the side faces here add up to a full mirror: the pressure up to the end is finite."
     SINGULAR = "The contact reaches a sharp end, where the pressure grows without bound."
     CORNER = "The contact ends at a corner of the profile, where the pressure grows without bound."
     CUT_OFF = "The strips end here while the contact continues."
@@ -33,16 +33,16 @@ class EdgeKind(enum.Enum):
 
 @dataclass(frozen=True)
 class EdgePressure:
-    """The pressure at one end of a contact, and what kind of number it is.
+    """The pressure at one end of a contact, and its kind.
 
     Attributes
     ----------
     y : float
         Where the contact ends [mm].
     kind : EdgeKind
-        Whether the pressure runs out, stays finite up to the end, or has no limit there, at a sharp end or a corner.
+        Whether the pressure runs out, stays finite up to the end, or is unbounded there, at a sharp end or a corner.
     pressure : float
-        Pressure of the last strip [MPa], zero where the contact runs out. A limit only if ``converges``.
+        Pressure of the last strip [MPa], zero where the contact runs out. Meaningful only if ``converges``.
     strip_width : float
         Width of that strip [mm], zero where the contact runs out.
     image_weight : float
@@ -51,15 +51,15 @@ class EdgePressure:
         alpha [-] of p ~ K / s^alpha, s the distance from the end; zero where finite. Where faces are mirrored,
         cos(pi alpha) = kappa.
     strength : float or None
-        K [MPa mm^alpha], from the strips within half a half-width of the end. None where nothing is singular, where too
+        K [MPa mm^alpha], from the strips within half a half-width of the end. None if the end is not singular, if too
         few strips or a face of the other body lie that close, and for alpha below 0.1, where the pressure is nearly
-        constant and K alone would mislead.
+        constant and K by itself would mislead.
     correction : float or None
         c [mm^-beta] of p = K s^-alpha (1 + c s^beta), within 2 % up to half a half-width; see `at`.
     correction_exponent : float
         beta [-]: 2 alpha at a mirrored end, from the eigenvalues of the wedge at a free one; zero where finite.
     convention : Finding
-        What ends here and what is freed, in words.
+        Bodies that end here, and the treatment of their side faces, in words.
 
     Notes
     -----
@@ -91,7 +91,7 @@ class EdgePressure:
         Returns
         -------
         ndarray
-            Pressures [MPa]; nan if there is no strength.
+            Pressures [MPa]; NaN if there is no strength.
         """
         remedy = "give distances from the end in mm"
         s = numbers("distance", distance, remedy)
@@ -109,12 +109,12 @@ class EdgePressure:
 
     @property
     def law(self) -> str:
-        """How the pressure grows towards a sharp end, as text; empty where the contact does not reach one."""
+        """The growth of the pressure towards a sharp end, as text; empty if the contact does not reach one."""
         return str(self.growth) if self.kind is EdgeKind.SINGULAR else ""
 
     @property
     def growth(self) -> Finding:
-        """How the pressure grows towards a sharp end, with exponent and strength."""
+        """The growth of the pressure towards a sharp end, with exponent and strength."""
         strength = "unknown" if self.strength is None else EndStrength(self.strength, self.exponent)
         known = "{strength}" if self.strength is None else "= {strength}"
         return finding("growth", f"p ~ K / s^{{exponent:.3g}}, K {known}", exponent=self.exponent, strength=strength)
@@ -122,12 +122,12 @@ class EdgePressure:
 
 @dataclass(frozen=True)
 class SingularEnd:
-    """An end of a contact, or of one of its intervals, towards which pressure and stress have no limit.
+    """An end of a contact, or of one of its intervals, towards which pressure and stress are unbounded.
 
     Attributes
     ----------
     y : float
-        Where [mm].
+        Position [mm].
     kind : EdgeKind
         SINGULAR at a sharp end of a body, CORNER at a corner of the profile.
     """

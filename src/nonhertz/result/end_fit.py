@@ -1,17 +1,17 @@
 """The strength K of a singular end, from the strips near it.
 
 At distances s small compared with the half-width the equations of the strips are those of a plane wedge. Pressures of
-``s^-alpha``, ``s^alpha`` and ``s^(2 - alpha)``, at a free end of other powers, move its surface by nothing but smooth
-terms, so the pressure is ``K s^-alpha (1 + c s^(2 alpha) + d s^2 + ...)``. Strips have one pressure each and satisfy
-the equations at their centres only; on the automatic grid that makes the last one wrong by 5 %, the third by 2 %, the
-seventh by 0.5 %, however narrow they are. So it is not the powers that are fitted to the pressures of the strips but
-what these very strips make of the powers: the constant pressures that move their centres exactly as the power does, by
-the kernel ln|s - s'| + kappa ln(s + s') of the wedge and what a free face adds to it. Its displacements under a power
-have closed forms.
+``s^-alpha``, ``s^alpha`` and ``s^(2 - alpha)`` (other powers at a free end) displace its surface by smooth terms only,
+so the pressure is ``K s^-alpha (1 + c s^(2 alpha) + d s^2 + ...)``. Strips have one pressure each and satisfy the
+equations at their centres only; on the automatic grid that makes the last one wrong by 5 %, the third by 2 %, the
+seventh by 0.5 %, however narrow they are. So the powers themselves are not fitted to the pressures of the strips, but
+their discrete equivalents: the constant pressures on these strips that displace their centres exactly as the power
+does, by the kernel ln|s - s'| + kappa ln(s + s') of the wedge and the term of a free face. The displacements under a
+power have closed forms.
 
-What remains is that strips are semi-elliptic across up to the end, where the true contact flares. Solutions that
-leave the shape across free (`docs/end_study.py`) have a lower K by a factor that hardly depends on anything but kappa.
-For ends that are free of normal stress, too, there is no such solution, and no factor.
+What remains is that strips are semi-elliptic across up to the end, where the true contact flares. Solutions that leave
+the shape across free (`docs/end_study.py`) have a lower K by a factor that depends almost only on kappa. For ends that
+are free of normal stress, too, there is no such solution, and no factor.
 """
 
 from __future__ import annotations
@@ -50,11 +50,11 @@ def fit_strength(
     pressure : ndarray, shape (n,)
         Pressures of the strips on the centre line [MPa], outermost strip first.
     freed : tuple of float
-        kappa of the end and the part of it that is free of normal stress, too.
+        kappa of the end, and the part of it that is also free of normal stress.
     half_width : float
-        That of the last strip [mm].
+        Half-width of the last strip [mm].
     element : Element
-        What the strips are.
+        The element of the strips.
 
     Returns
     -------
@@ -85,7 +85,7 @@ def fit_strength(
 
 
 def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> Array:
-    """Return the constant pressures of strips that move their centres as the pressures s^power do.
+    """Return the constant pressures of strips that displace their centres as the pressures s^power do.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> 
     kappa : float
         Weight of the image about the end.
     free : float
-        Weight of what a free face adds to the image.
+        Weight of the term that a free face adds to the image.
     powers : ndarray, shape (k,)
         Above -1, and not integer.
 
@@ -120,7 +120,7 @@ def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> 
 
 
 def added_under_powers(x: Array, powers: Array) -> Array:
-    """Return the integrals over t from 0 to 1 of t^power times what a free edge adds at x, shape (n, k)."""
+    """Return the integrals over t from 0 to 1 of t^power times the term of a free edge at x, shape (n, k)."""
     node, share = np.polynomial.legendre.leggauss(_NODES)
     panels: Array = 2.0 ** np.arange(-_PANELS, 1.0)
     half = 0.5 * np.diff(panels)[:, None]

@@ -63,7 +63,7 @@ def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[flo
 def add_strengths(
     problem: Problem, edges: Array, r: Array, m: Array, ends: tuple[EdgePressure, EdgePressure]
 ) -> tuple[EdgePressure, EdgePressure]:
-    """Return the pressures at both ends with their strengths, as far as they are sharp and have one.
+    """Return the pressures at both ends, with strengths of sharp ends that have one.
 
     ``edges``, ``r`` and ``m`` are those of the strips, as in `nonhertz.native.core.State`.
     """
@@ -81,7 +81,7 @@ def add_strengths(
 def _add_strength(
     problem: Problem, edge: EdgePressure, side: int, distance: Array, pressure: Array, half_width: float
 ) -> EdgePressure:
-    """Return one with its strength; edges are at these distances from it, outermost first, as pressures are."""
+    """Return an end with its strength; edges are at these distances from it, outermost first, like pressures."""
     if edge.kind is not EdgeKind.SINGULAR:
         return edge
     freed = _freed(problem, edge.y, side, AT_ONE_PLACE * edge.strip_width)
@@ -93,7 +93,7 @@ def _add_strength(
 
 
 def _convention(problem: Problem, place: float, side: int, reach: float) -> Finding:
-    """Describe for each body whether it ends at ``place``, and how its side face is treated there."""
+    """Describe for each body whether it ends at ``place``, and the treatment of its side face."""
     index, words, short = (side + 1) // 2, [], {}
     for which, (name, body) in enumerate((("a", problem.contact.a), ("b", problem.contact.b))):
         face = body.faces[index]

@@ -1,4 +1,4 @@
-"""The ends of a contact at which the pressure has no limit, and which strips are away from them."""
+"""The ends of a contact at which the pressure is unbounded, and the strips that are away from them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def away_from_ends(solution: Solved, y: Array) -> Flags:
 
 
 def leaves_stress(contact: Contact, edge: EdgePressure) -> bool:
-    """Return whether a side face at the end of a contact is freed of shear alone, which makes the body too stiff."""
+    """Return whether a side face at the end of a contact is freed of shear only, which makes the body too stiff."""
     faces = [
         (face, weight, free)
         for body in (contact.a, contact.b)
@@ -41,7 +41,7 @@ def leaves_stress(contact: Contact, edge: EdgePressure) -> bool:
 
 
 def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: float) -> tuple[SingularEnd, ...]:
-    """Return the ends at which the pressure has no limit, ascending: sharp ends of bodies, corners of profiles.
+    """Return the ends at which the pressure is unbounded, ascending: sharp ends of bodies, corners of profiles.
 
     Parameters
     ----------
@@ -61,13 +61,13 @@ def singular_ends(sharp: Iterable[float], corners: Iterable[float], length: floa
 def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Array) -> tuple[float, ...]:
     """Return the corners of the profile at which a contact ends under pressure [mm], ascending.
 
-    There the pressure has no limit, as at a sharp end: it does not fall towards the corner, and beyond it the surfaces
+    There the pressure is unbounded, as at a sharp end: it does not fall towards the corner, and beyond it the surfaces
     are apart. A contact that runs out next to a corner does not count, because its pressure falls to zero.
 
     Parameters
     ----------
     contact : Contact
-        What was solved.
+        The solved contact.
     edges : ndarray, shape (n + 1,)
         Edges of strips, or of rows of cells [mm].
     pressure, half_width : ndarray, shape (n,)
@@ -79,7 +79,7 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
 
 
 def ends_in_words(ends: Iterable[SingularEnd]) -> Finding:
-    """Return in words where pressure and stress have no limit.
+    """Return in words where pressure and stress are unbounded.
 
     Examples
     --------

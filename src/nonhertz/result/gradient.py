@@ -1,4 +1,4 @@
-"""Gradients: how a number of a solution changes with all that was given, by one adjoint solve.
+"""Gradients: the change of a number of a solution with all inputs, by one adjoint solve.
 
 The strips stay where they are, or move in proportion with the length on which the bodies can touch, so that a gradient
 is that of the number which these strips give, exactly.
@@ -45,23 +45,23 @@ _FIVE_POINTS = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Gradient(ReadOnly):
-    """How a number of a solution changes; made by `Solution.gradient`.
+    """The gradient of a number of a solution; made by `Solution.gradient`.
 
     Attributes
     ----------
     solution : Solution
         The solution.
     quantity : str or Measure
-        Which number.
+        The number.
     holding : tuple of str
-        What is given, and so stays the same: ``"load"`` or ``"approach"``, and ``"tilt"`` or ``"moment"``.
+        The quantities that are given and held constant: ``"load"`` or ``"approach"``, and ``"tilt"`` or ``"moment"``.
     value : float
         The number, in its unit.
     relief, curvature : ndarray, shape (strips,)
         Derivatives by the separation h [mm] and by the curvature across 1/rho [1/mm] at each strip; zero out of
         contact.
     given : dict
-        Derivatives by the two that are given.
+        Derivatives by the two quantities that are given.
     """
 
     solution: Solution
@@ -92,8 +92,8 @@ class Gradient(ReadOnly):
         Parameters
         ----------
         name : str
-            What it is called, such as ``"a.profile.end_radius"``, ``"a.corner_radius"``, ``"b.diameter"``, or with an
-            index ``"a.profile.profiles.0.radius"``.
+            Its name, such as ``"a.profile.end_radius"``, ``"a.corner_radius"``, ``"b.diameter"``, or with an index
+            ``"a.profile.profiles.0.radius"``.
 
         Returns
         -------
@@ -103,7 +103,7 @@ class Gradient(ReadOnly):
         Raises
         ------
         InputError
-            If there is no such number, or it is zero, of which no step can be taken: then use `along`.
+            If there is no such number, or it is zero, so that no relative step can be taken: then use `along`.
         """
         family, at = family_of(self.solution.contact, name)
         if at == 0.0 or not math.isfinite(at):
@@ -111,7 +111,7 @@ class Gradient(ReadOnly):
         return self.along(family, at)
 
     def along(self, family: Family, at: float, step: float | None = None) -> float:
-        """Return the derivative along contacts that a parameter tells apart.
+        """Return the derivative along a family of contacts with one parameter.
 
         Parameters
         ----------
@@ -120,13 +120,13 @@ class Gradient(ReadOnly):
         at : float
             The parameter.
         step : float, optional
-            By how much it is changed for differences of the shapes, twice to both sides; a thousandth of it if
-            left out. No contact is solved.
+            Step of the parameter for differences of the shapes, two to each side; a thousandth of ``at`` by default. No
+            contact is solved.
 
         Returns
         -------
         float
-            Exact but for these differences.
+            Exact, except for these differences.
 
         Raises
         ------
@@ -134,7 +134,7 @@ class Gradient(ReadOnly):
             If the family returns no contacts, or the step is not positive.
         """
         if not callable(family):
-            raise InputError("family", family, "be a function", "give one of a number that returns a Contact")
+            raise InputError("family", family, "be a function", "give a function of a number that returns a Contact")
         finite("at", at, "give the parameter of the solution's contact")
         step = STEP * abs(at) if step is None else step
         positive("step", step, "give a step of the parameter")
@@ -142,7 +142,7 @@ class Gradient(ReadOnly):
         for steps, weight in _FIVE_POINTS:
             contact = family(at + steps * step)
             if not isinstance(contact, Contact):
-                raise InputError("family", contact, "return a Contact", "give a function that makes one of a number")
+                raise InputError("family", contact, "return a Contact", "give a function of a number that returns one")
             moved = self._at.moved(contact)
             by_force = self.holding[0] == "load", self.holding[1] == "moment"
             value = -self._sensitivities @ self._at.residuals(contact, moved, by_force)
@@ -155,7 +155,7 @@ class Gradient(ReadOnly):
 
 @dataclass(frozen=True, eq=False)
 class _Linear:
-    """A solution, linearised, and how bodies of another shape would fit it."""
+    """A linearised solution, and its residuals for bodies of another shape."""
 
     solution: Solution
     linear: Linearisation
@@ -171,9 +171,9 @@ class _Linear:
         return cls(solution, linearise(grid, r, m, kernel_of(influence, solution.element)), influence, grid)
 
     def moved(self, contact: Contact) -> Solution:
-        """Return the same loads per length and half-widths on strips that move as the ends of a contact do.
+        """Return the same line loads and half-widths on strips that move with the ends of a contact.
 
-        Bends of the profile, such as where corners begin, stay where they are among the strips.
+        Bends of the profile, such as the beginnings of corners, keep their places among the strips.
         """
         old, new = landmarks(self.solution.contact), landmarks(contact)
         if old.size != new.size:
@@ -202,14 +202,14 @@ class _Linear:
         )
 
     def residuals(self, contact: Contact, moved: Solution, by_force: tuple[bool, bool]) -> Array:
-        """Return how far loads and half-widths are from a contact, shape (2 k + 2,).
+        """Return the residuals of loads and half-widths for a contact, shape (2 k + 2,).
 
         Parameters
         ----------
         contact : Contact
-            For its curvature, and for the gap.
+            Contact with curvature and gap.
         moved : Solution
-            The strips, and the sums of their loads.
+            Strips, and sums of their loads.
         by_force : tuple of bool
             Whether load and moment are given.
         """
@@ -281,13 +281,13 @@ def _linear(solution: Solution) -> _Linear:
 
 
 def landmarks(contact: Contact) -> Array:
-    """Return the ends of what can touch and the bends of the profiles between them [mm]."""
+    """Return the ends of the interval that can touch, and the bends of the profiles between them [mm]."""
     low, high = contact.interval
     return np.array([low, *(bend for bend in contact.bends if low < bend < high), high])
 
 
 def family_of(contact: Contact, name: str) -> tuple[Family, float]:
-    """Return contacts that differ in one number, and what it is.
+    """Return the family of contacts that differ in one number, and its value.
 
     Parameters
     ----------
@@ -299,7 +299,7 @@ def family_of(contact: Contact, name: str) -> tuple[Family, float]:
     Raises
     ------
     InputError
-        If it leads to no number; the sentence names those that there are.
+        If it does not lead to a number; the sentence names the existing ones.
     """
     if not isinstance(name, str):
         raise InputError("name", name, "be text", "give a name such as 'a.corner_radius'")

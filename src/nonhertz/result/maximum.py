@@ -28,7 +28,7 @@ SAME = 1e-6  # relative difference up to which two pressures count as equally la
 
 
 def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
-    """Return how much farther than a half-width places are from the nearest end, infinite where there is none.
+    """Return the distance of places from the nearest end less a half-width; infinite if there is no end.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
     half_width : ndarray, shape (..., n)
         Half-widths there [mm].
     ends : ndarray, shape (..., k)
-        Where the pressure has no limit [mm]; nan for no end.
+        Positions of singular ends [mm]; NaN for no end.
 
     Returns
     -------
@@ -48,7 +48,7 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
 
 
 def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[float, float]:
-    """Return the largest pressure more than a half-width from the ends, and where it is.
+    """Return the largest pressure more than a half-width from the ends, and its position.
 
     If the contact is too short for that, it is the pressure where the nearest end is farthest away, in half-widths.
 
@@ -59,7 +59,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     pressure, half_width : ndarray, shape (n,)
         Values of each [MPa, mm], zero out of contact.
     ends : ndarray, shape (k,)
-        Where the pressure has no limit [mm].
+        Positions of singular ends [mm].
 
     Returns
     -------
@@ -71,7 +71,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
 
 
 def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float, float]:
-    """Return the largest half-width more than a half-width from the ends, and where it is.
+    """Return the largest half-width more than a half-width from the ends, and its position.
 
     Parameters and results are those of `largest_pressure`.
     """
@@ -81,14 +81,14 @@ def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float,
 def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array, int]:
     """Return the places that `largest_pressure` considers, the pressures there, and the number of the largest.
 
-    First those of the strips, then those between each and the next; zero where they do not count. Of pressures equal to
-    rounding, as maxima that mirror each other are, that of the least y is the largest.
+    First those of the strips, then those between neighbours; zero where they do not count. If pressures are equal up to
+    rounding, such as maxima that mirror each other, the one with the smallest y is taken.
     """
     return core.counted(y, pressure, half_width, ends)
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:
-    """Return where the largest pressure that counts is [mm], ascending: both places if they mirror each other."""
+    """Return the positions of the maximum pressure [mm], ascending: both if they mirror each other."""
     if not solution.contact_y:
         return ()
     places, values, _ = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
@@ -102,12 +102,12 @@ def places_of_largest(solution: Solved) -> tuple[float, ...]:
 
 
 def singular_y(solution: Solved) -> Array:
-    """Return the positions of the ends at which the pressure has no limit [mm]."""
+    """Return the positions of the singular ends [mm]."""
     return np.array([end.y for end in solution.singular_ends])
 
 
 def _distances(y: Array, ends: Array) -> Array:
-    """Return how far places are from the nearest end, infinite where there is none."""
+    """Return the distances of places from the nearest end; infinite if there is none."""
     if ends.shape[-1] == 0:
         return np.full((*ends.shape[:-1], y.shape[-1]), np.inf)
     distance = np.abs(y[..., None] - ends[..., None, :])

@@ -1,4 +1,4 @@
-"""Numbers of a solution that have a gradient, and how they depend on the pressures and half-widths of strips.
+"""Numbers of a solution with a gradient, and their dependence on the pressures and half-widths of strips.
 
 `Gradient` takes their names, ``"approach"``, ``"load"``, ``"tilt"``, ``"moment"``, ``"max_pressure"`` and
 ``"max_half_width"``, or one of the values made here.
@@ -23,21 +23,21 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-STEP = 1e-6  # relative, of half-widths, for derivatives of where a contact ends and of what is interpolated there
+STEP = 1e-6  # relative, of half-widths, for derivatives of the ends of a contact and of interpolated values there
 
 
 @dataclass
 class Partials:
-    """The value of a measure, and its derivatives by what it is made of.
+    """The value of a measure, and its derivatives.
 
     Attributes
     ----------
     value : float
         In the unit of the measure.
     by_pressure, by_half_width : ndarray, shape (strips,)
-        By centre-line pressures and half-widths.
+        Derivatives by centre-line pressures and half-widths.
     by_approach, by_tilt, by_load, by_moment : float
-        By these.
+        Derivatives by approach, tilt, load and moment.
     """
 
     value: float
@@ -50,7 +50,7 @@ class Partials:
 
     @classmethod
     def of(cls, solution: Solution, value: float, **motions: float) -> Partials:
-        """Return a value that depends on no strip by itself."""
+        """Return a value that does not depend on single strips."""
         return cls(float(value), np.zeros(solution.strips), np.zeros(solution.strips), **motions)
 
 
@@ -107,7 +107,7 @@ class PowerIntegral:
     """The integral of p^k b^l over the length in contact, p on the centre line [MPa] and b the half-width [mm].
 
     Damage by rolling is such an integral: with k = c and l = 1 - h that of Lundberg and Palmgren, up to a factor; with
-    k = l = 4.5 that of independent laminae, whose load is as p b.
+    k = l = 4.5 that of independent laminae, whose load is proportional to p b.
 
     Parameters
     ----------
@@ -135,12 +135,12 @@ class PowerIntegral:
 
 @dataclass(frozen=True)
 class PressureNorm:
-    """A smooth stand-in of the largest pressure: the mean of p^k over the length in contact to the power 1 / k [MPa].
+    """A smooth approximation of the maximum pressure: the mean of p^k over the contact to the power 1/k [MPa].
 
     Parameters
     ----------
     power : float
-        k; the higher, the nearer to the largest pressure. 20 is usual.
+        k; higher values are closer to the maximum pressure. 20 is usual.
     """
 
     power: float = 20.0
@@ -214,7 +214,7 @@ NAMED: dict[str, Measure] = {name: _Motion(name) for name in ("approach", "load"
 
 
 def measure_of(quantity: str | Measure) -> Measure:
-    """Return the measure of a name, or the one that is given.
+    """Return the measure of a name, or a given measure.
 
     Raises
     ------
@@ -230,7 +230,7 @@ def measure_of(quantity: str | Measure) -> Measure:
 
 
 def _root(solution: Solution, y: float, values: Array, *, of_pressure: bool) -> Partials:
-    """Return what `Solution.pressure` interpolates at a place: the squares of ``values`` of strips, linearly."""
+    """Return the value of `Solution.pressure` at a place: interpolated in the squares of the ``values`` of strips."""
     partials = Partials.of(solution, 0.0)
     number = next((k for k, (low, high) in enumerate(solution.contact_y) if low <= y <= high), None)
     if number is None:
@@ -252,7 +252,7 @@ def _root(solution: Solution, y: float, values: Array, *, of_pressure: bool) -> 
         partials.value = float(values[strip])
         into[strip] = 1.0
         return partials
-    # Up to where the contact runs out, which follows from the half-widths of the two strips next to it.
+    # Up to the end of the contact, which follows from the half-widths of the two strips next to it.
     end, here = (low, high)[side], solution.y[strip]
     share = (end - y) / (end - here)
     partials.value = float(values[strip] * np.sqrt(share))

@@ -1,8 +1,8 @@
-"""What the nodes of a finite element mesh get of a contact: pressures at them, and forces that add up to the load.
+"""A contact on the nodes of a finite element mesh: pressures at the nodes, and forces that add up to the load.
 
-The load of every strip is cut into small point loads across and along it. Each goes to the three nodes of the triangle
-that it lies in, in the shares that leave its force and its moments what they are (barycentric coordinates, the shape
-functions of a linear triangle). The triangles are those of Delaunay, since a list of nodes has no elements.
+The load of every strip is divided into small point loads across and along it. Each is distributed to the three nodes of
+its triangle such that force and moments are preserved (barycentric coordinates, the shape functions of a linear
+triangle). The triangles are those of Delaunay, since a list of nodes has no elements.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _REMEDY = "give the coordinates of the nodes on the surface in mm"
-_PER_SPACING = 6  # point loads per distance of two nodes, so that nodes beside each other get alike forces
+_PER_SPACING = 6  # point loads per distance of two nodes, so that forces on neighbouring nodes are smooth
 _MOST = 1000  # point loads across a strip, or along it
 
 
@@ -35,17 +35,17 @@ class NodalLoads:
     Attributes
     ----------
     x, y : ndarray, shape (nodes,)
-        Where the nodes are [mm], across and along the contact.
+        Coordinates of the nodes [mm], across and along the contact.
     pressure : ndarray, shape (nodes,)
-        Contact pressure at each node [MPa], zero out of contact. Pressures are samples: how much load they carry
-        depends on what the mesh makes of them between its nodes.
+        Contact pressure at each node [MPa], zero out of contact. Pressures are samples: the load to which they
+        integrate depends on the interpolation between the nodes.
     force : ndarray, shape (nodes,)
-        Force on each node, normal to the surface [N]; nan where the nodes span no area. The sum over all nodes is the
-        load of the strips less ``outside``, and its moments about x and y are those of these strips.
+        Force on each node, normal to the surface [N]; NaN if the nodes span no area. The sum over all nodes is the load
+        of the strips less ``outside``, and its moments about x and y are those of these strips.
     area : ndarray, shape (nodes,)
         A third of the area of the triangles around each node [mm^2].
     outside : float
-        Load outside of all triangles [N]: zero where the nodes surround the contact.
+        Load outside all triangles [N]: zero if the nodes surround the contact.
     """
 
     x: Array
@@ -84,7 +84,7 @@ def _from_strips(solution: Solution) -> Array:
 
 
 def _spread(solution: Solution, mesh: Delaunay) -> tuple[Array, float]:
-    """Return the forces on the nodes, and the load that lies in no triangle."""
+    """Return the forces on the nodes, and the load outside all triangles."""
     forces, outside = np.zeros(len(mesh.points)), 0.0
     spacing = _spacing(solution, mesh)
     for load, middle, width, half_width in zip(
@@ -101,7 +101,7 @@ def _spread(solution: Solution, mesh: Delaunay) -> tuple[Array, float]:
 
 
 def _spacing(solution: Solution, mesh: Delaunay) -> tuple[float, float]:
-    """Return how far nodes in contact are apart across and along it, or all nodes where none is in contact."""
+    """Return the spacing across and along of nodes in contact, or of all nodes if none is in contact."""
     ends = np.concatenate([mesh.simplices[:, [0, 1]], mesh.simplices[:, [1, 2]], mesh.simplices[:, [2, 0]]])
     touching = solution.pressure(*mesh.points.T) > 0.0
     near = np.any(touching[ends], axis=1)
@@ -111,7 +111,7 @@ def _spacing(solution: Solution, mesh: Delaunay) -> tuple[float, float]:
 
 
 def _usual(distances: Array) -> float:
-    # Of a rectangular mesh a third of the distances is zero.
+    # In a rectangular mesh a third of the distances is zero.
     return float(np.median(distances[distances > 1e-6 * np.max(distances)]))
 
 

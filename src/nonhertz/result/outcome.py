@@ -1,4 +1,4 @@
-"""From what the core has solved to a solution: what is refused, how contacts end, and what strains the model."""
+"""From a result of the core to a solution: refusals, ends of contacts, and strains of the model."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ def outcome(problem: Problem, result: core.Result) -> Solution:
     Raises
     ------
     InputError
-        If a body is thinner than its contact is wide, or a half-width exceeds a body's radius.
+        If a body is too thin for the width of its contact, or a half-width exceeds a body's radius.
     ConvergenceError
-        If the Newton loop failed, or if its solution does not meet what was prescribed.
+        If the Newton loop failed, or if its solution does not meet the prescribed values.
     """
     solution, checks = solution_of(problem, result), result.judgement.checks
     converged = solution.status is Status.CONVERGED
@@ -64,12 +64,12 @@ def outcome(problem: Problem, result: core.Result) -> Solution:
 
 
 def has_series(problem: Problem) -> bool:
-    """Return whether a body has a series of images, which wide contacts are refused for."""
+    """Return whether a body has a series of images, for which wide contacts are refused."""
     return any(body.images == SERIES for body in problem.contact.bodies.values())
 
 
 def solution_of(problem: Problem, result: core.Result) -> Solution:
-    """Return the solution that the core has found, unchecked."""
+    """Return the solution of the core, unchecked."""
     compliance, (approach, tilt), (load, moment) = problem.contact.compliance, result.rigid, result.resultant
     return Solution(
         contact=problem.contact,
@@ -90,14 +90,14 @@ def solution_of(problem: Problem, result: core.Result) -> Solution:
 
 
 class Judgement:
-    """What follows from the strips of a solution, in words where that is called for; see `Solution`.
+    """Quantities and findings that follow from the strips of a solution; see `Solution`.
 
     Parameters
     ----------
     problem : Problem
-        What was solved.
+        The problem that was solved.
     result : core.Result
-        What the core has found.
+        The result of the core.
     """
 
     def __init__(self, problem: Problem, result: core.Result) -> None:
@@ -105,7 +105,7 @@ class Judgement:
 
     @classmethod
     def of(cls, **known: Any) -> Judgement:
-        """Return a judgement all of which is known: each attribute, and ``findings``."""
+        """Return a judgement with known attributes, and ``findings``."""
         made = object.__new__(cls)
         vars(made).update(known)
         return made
@@ -119,7 +119,7 @@ class Judgement:
         vars(self).update(state)
 
     def __getattr__(self, name: str) -> Any:
-        # Of a solution that was sent or kept, the numbers are there, and are judged again when they are asked for.
+        # A solution that was sent or saved has the numbers, which are judged again on demand.
         if name != "result" or "kept" not in vars(self):
             raise AttributeError(name)
         problem, (levels, accuracy) = self.problem, vars(self).pop("kept")
@@ -131,7 +131,7 @@ class Judgement:
         return self.result.judgement
 
     def judged(self, solution: Solution) -> core.Judgement:
-        """Return what the core says; of a solution that was read from a file, by its strips alone."""
+        """Return the judgement of the core; for a solution read from a file, by its strips only."""
         if "problem" in vars(self):
             return self._core
         compliance, squares = solution.contact.compliance, solution.element_half_width**2
@@ -149,7 +149,7 @@ class Judgement:
 
     @cached_property
     def ends(self) -> tuple[EdgePressure, EdgePressure]:
-        """How the contact ends: the pressure at both ends, without strengths."""
+        """The pressure at both ends, without strengths."""
         return edge_pressures(self.problem, self._core)
 
     @cached_property
@@ -161,7 +161,7 @@ class Judgement:
 
     @cached_property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
-        """The ends without a limit of the pressure."""
+        """The ends at which the pressure is unbounded."""
         return tuple(
             SingularEnd(end.y, EdgeKind.CORNER if end.is_corner else EdgeKind.SINGULAR) for end in self._core.singular
         )
@@ -178,19 +178,19 @@ class Judgement:
         return ErrorEstimate(errors.approach, errors.load, errors.max_pressure, errors.moment, errors.tilt)
 
     def found(self, solution: Solution) -> tuple[Finding, ...]:
-        """Return what strains the model, and ends without a limit of the pressure."""
+        """Return strains of the model, and ends at which the pressure is unbounded."""
         if "findings" in vars(self) or solution.status is not Status.CONVERGED:
             return tuple(vars(self).get("findings", ()))
         return (*self.strains(solution), *self.singularities(solution))
 
     def strains(self, solution: Solution) -> tuple[Finding, ...]:
-        """Return what strains the model: nothing in most cases."""
+        """Return strains of the model: none in most cases."""
         if not is_strained(self.problem, self._core):
             return ()
         return tuple(strains(solution, self.problem, self._core))
 
     def singularities(self, solution: Solution) -> tuple[Finding, ...]:
-        """Return the ends without a limit of the pressure."""
+        """Return the ends at which the pressure is unbounded."""
         return singularities(solution, self._core) if self._core.singular else ()
 
 
@@ -217,7 +217,7 @@ def states_of_levels(result: core.Result) -> list[LevelState]:
 
 
 def restored(problem: Problem, levels: list[LevelState], accuracy: float, *, accepted: bool = True) -> core.Result:
-    """Return what the core had found; `accepted` where it was known to meet what was prescribed."""
+    """Return the result of the core again; ``accepted`` if it is known to meet the prescribed values."""
     states = [
         (
             edges,

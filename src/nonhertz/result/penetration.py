@@ -1,4 +1,4 @@
-"""How deep the undeformed bodies overlap: the approach beyond first touch at the tilt of the solution.
+"""Penetration: the overlap of the undeformed bodies, the approach beyond first touch at the tilt of the solution.
 
 Where the separation does not start at zero, as of a wheel above a rail, or the bodies are tilted about a place away
 from the contact, most of the approach is made before they touch, or it is negative. What deforms them is the rest, and
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-# Of the penetration: an approach that differs from it by less is not told twice.
+# Of the penetration: it is not shown in addition to an approach that differs by less.
 NOTICEABLE = 0.05
 
 
@@ -55,5 +55,5 @@ def deepest(separation: Callable[[Array], Array], y: Array, rigid: Array) -> Arr
 
 
 def is_noticeable(approach: float, penetration: float) -> bool:
-    """Return whether people should be told the penetration beside the approach."""
+    """Return whether the penetration should be shown beside the approach."""
     return abs(approach - penetration) > NOTICEABLE * abs(penetration)

@@ -1,7 +1,7 @@
 """The numbers of a result, each defined once: name, symbol, units, and how to get it.
 
 Terminal output, report, web page, files, comparisons and data tables are made from these; a quantity added here appears
-in all of them. People are shown micrometres and milliradians where Python and files have mm and rad.
+in all of them. Micrometres and milliradians are shown where Python and files have mm and rad.
 """
 
 from __future__ import annotations
@@ -18,35 +18,37 @@ from nonhertz.amounts import Amount, amount
 if TYPE_CHECKING:
     from nonhertz.result.solved import Solved
 
-_ROUNDING = 1e-12  # of the terms of a sum: less is shown as zero, since symmetric terms cancel only to rounding
+_ROUNDING = (
+    1e-12  # of the terms of a sum: smaller sums are shown as 0, since symmetric terms cancel only up to rounding
+)
 
 
 @dataclass(frozen=True)
 class Quantity:
     """One number of a solution.
 
-    Those that are attributes exist for every kind of solution; the stiffness only for strips.
+    Attributes exist for every kind of solution; the stiffness only for strips.
 
     Attributes
     ----------
     name : str
         Its name in Python, files and data tables.
     label : str
-        Its name for people.
+        Its name in sentences and tables.
     symbol : str
-        In formulas; may be empty.
+        Symbol in formulas; may be empty.
     unit : str
-        In Python and files.
+        Unit in Python and files.
     get : callable
         Solution -> value in ``unit``.
     shown_unit : str
-        The unit in which people are shown it; that of files if empty.
+        The unit in which it is shown; that of files if empty.
     scale : callable or None
-        Solution -> size of the terms that it sums, in ``unit``; None if it is not a sum that may cancel to zero.
+        Solution -> size of the terms of its sum, in ``unit``; None if it is not a sum that may cancel to zero.
     within : str
-        The array or the part of a result in which summaries and JSON have it; those without have a place of their own.
+        The array or the part of a result that contains it in summaries and JSON; empty for a place of its own.
     meaning : str
-        What it is, where its label alone does not say.
+        Its meaning, if the label is not sufficient.
     """
 
     name: str
@@ -60,19 +62,19 @@ class Quantity:
     meaning: str = ""
 
     def clean(self, solution: Any) -> Any:
-        """Return the value in ``unit``, zero where it is only rounding; of many solutions at once, of each."""
+        """Return the value in ``unit``, zero if it is only rounding; for many solutions at once, of each."""
         value = self.get(solution)
         if self.scale is None:
             return value
         is_more = np.abs(value) > _ROUNDING * np.abs(self.scale(solution))
-        return value * is_more + 0.0  # no zero is negative
+        return value * is_more + 0.0  # removes the sign of zeros
 
     def amount(self, *values: float, between: str = ", ") -> Amount:
-        """Return values of the quantity as people read them, all in one unit."""
+        """Return values of the quantity for display, all in one unit."""
         return amount(values, self.unit, self.shown_unit, between)
 
     def text(self, solution: Solved, spec: str = "") -> str:
-        """Return the value as people read it, with its unit; ``spec`` is the format of an `Amount`."""
+        """Return the value as text, with its unit; ``spec`` is the format of an `Amount`."""
         return format(self.amount(float(self.clean(solution))), spec)
 
 

@@ -20,7 +20,7 @@ class ReadOnly(ShortRepr):
         _freeze_value(vars(self))
 
     def __getstate__(self) -> dict[str, object]:
-        # What is worked out from the fields is worked out again.
+        # Cached properties are computed again.
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     def __setstate__(self, state: dict[str, object]) -> None:

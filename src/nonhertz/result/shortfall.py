@@ -1,4 +1,4 @@
-"""What the state that a loop ended in fails to meet, in one sentence."""
+"""The condition that the final state of a loop fails to meet, in one sentence."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _PRESCRIBED = {core.Unmet.FIRST: ("approach", "mm", "load", "N"), core.Unmet.SEC
 
 
 def shortfall(problem: Problem, result: core.Result) -> str | None:
-    """Return what a state that has converged does not meet, or None if it meets everything."""
+    """Return the condition that a converged state does not meet, or None if it meets all."""
     if not result.is_steady:
         return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     unmet, compliance = result.shortfall, problem.contact.compliance
@@ -33,7 +33,7 @@ def shortfall(problem: Problem, result: core.Result) -> str | None:
     return {
         core.Unmet.NOT_FINITE: f"The state reached is not finite {place}.",
         core.Unmet.TENSION: f"The state reached has tension {place}, {per_mm(value / compliance):.3g}.",
-        core.Unmet.UNCLOSED: f"The state reached leaves a gap of {um(value):.3g} {place}, where it bears load.",
+        core.Unmet.UNCLOSED: f"The state reached leaves a gap of {um(value):.3g} {place}, where it is loaded.",
         core.Unmet.OVERLAP: f"In the state reached, the bodies overlap by {um(value):.3g} {place}.",
         core.Unmet.BENT: f"In the state reached, the curvatures across the contact do not match {place}: the relative "
         f"error is {value:.2g}.",

@@ -1,4 +1,4 @@
-"""What a solve returns: a read-only value with the strip results and everything derived from them."""
+"""The result of a solve: a read-only value with the strip results and everything derived from them."""
 
 from __future__ import annotations
 
@@ -47,9 +47,9 @@ class Solution(Solved):
     Attributes
     ----------
     contact : Contact
-        What was solved.
+        The solved contact.
     element : Element
-        The strip element it was solved with.
+        The strip element of the solve.
     status : Status
         How the solve ended.
     approach : float
@@ -74,19 +74,19 @@ class Solution(Solved):
         The intervals [mm] along y that are in contact, ascending; an end inside the bodies lies where m = a^2,
         continued linearly, vanishes.
     edge_pressure : tuple of two EdgePressure
-        The pressure at the low and at the high end, or why there is no such number.
+        The pressure at the low and at the high end, and its kind.
     singular_ends : tuple of SingularEnd
-        The ends at which the pressure has no limit, ascending, those of inner intervals too.
+        The ends at which the pressure is unbounded, ascending, including those of inner intervals.
     peaks_at_corner : bool
-        Whether the largest pressure is at a corner of the profile within the contact, where it has no limit either.
+        Whether the maximum pressure is at a corner of the profile within the contact, where it is also unbounded.
     iterations : int
         Newton steps on the grid of the result.
     error_estimate : ErrorEstimate
         The solve's own estimate of its discretisation errors.
     findings : tuple of Finding
-        What strains the model in this case; empty when nothing does.
+        Strains of the model in this case; empty if there are none.
     judgement : Judgement
-        The last six of these, how the contact ends and what strains the model, worked out when they are first read.
+        The last six of these attributes, computed when they are first read.
     """
 
     contact: Contact
@@ -116,12 +116,12 @@ class Solution(Solved):
 
     @property
     def singular_ends(self) -> tuple[SingularEnd, ...]:
-        """The ends at which the pressure has no limit, ascending."""
+        """The ends at which the pressure is unbounded, ascending."""
         return self.judgement.singular_ends
 
     @property
     def peaks_at_corner(self) -> bool:
-        """Whether the largest pressure is at a corner of the profile within the contact."""
+        """Whether the maximum pressure is at a corner of the profile within the contact."""
         return self.judgement.peaks_at_corner
 
     @property
@@ -131,12 +131,12 @@ class Solution(Solved):
 
     @property
     def assumed(self) -> tuple[Finding, ...]:
-        """What is assumed where the bodies leave something out that decides the result."""
+        """The assumptions for inputs of the bodies that are left out and decide the result."""
         return collect_assumptions({"a": self.contact.a, "b": self.contact.b})
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
-        """What strains the model in this case."""
+        """Strains of the model in this case."""
         return self.judgement.found(self)
 
     def _said(self) -> list[str]:
@@ -235,7 +235,7 @@ class Solution(Solved):
         Parameters
         ----------
         x, y : array_like
-            Where the nodes are [mm], across and along the contact; they broadcast, and are flattened.
+            Coordinates of the nodes [mm], across and along the contact; they broadcast, and are flattened.
 
         Returns
         -------
@@ -280,14 +280,14 @@ class Solution(Solved):
         return frame
 
     def plot(self, what: str = "pressure", ax: Axes | None = None) -> Axes:
-        """Draw the contact, and return the axes; those of a figure of its own have it as ``figure``.
+        """Draw the contact, and return the axes; ``figure`` of the axes is the figure.
 
         Parameters
         ----------
         what : str
             ``"pressure"``, ``"footprint"`` or ``"profile"``, as the functions of these names in `nonhertz.plot`.
         ax : matplotlib.axes.Axes, optional
-            Where to draw.
+            Axes to draw on; by default those of a new figure.
 
         Raises
         ------
@@ -299,9 +299,9 @@ class Solution(Solved):
         return nonhertz.plot.draw(self, what, ax)
 
     def save(self, folder: str | os.PathLike[str], title: str = "Contact") -> tuple[Path, ...]:
-        """Write what ``nonhertz solve`` writes into a directory: ``result.json``, ``table.csv`` and figures.
+        """Write ``result.json``, ``table.csv`` and figures into a directory, as ``nonhertz solve`` does.
 
-        The case in the result, from which `nonhertz.read_result` has the contact again, prescribes load and tilt.
+        The case in the result, from which `nonhertz.read_result` restores the contact, prescribes load and tilt.
 
         Parameters
         ----------
@@ -318,8 +318,7 @@ class Solution(Solved):
         Raises
         ------
         InputError
-            If the contact has something that no file can hold, a profile of your own, say, or the folder cannot be
-            written to.
+            If the contact cannot be written, such as with a user-defined profile, or the folder cannot be written to.
         """
         import nonhertz  # what writes stands above what is written
 
@@ -333,7 +332,7 @@ class Solution(Solved):
         return self.judgement.judged(self).penetration
 
     def gradient(self, quantity: str | Measure, *, holding: tuple[str, str] = ("load", "tilt")) -> Gradient:
-        """Return how a number of the solution changes with the shapes of the bodies and all that is given.
+        """Return the gradient of a number of the solution with respect to the bodies' shapes and all given quantities.
 
         Parameters
         ----------
@@ -341,8 +340,8 @@ class Solution(Solved):
             ``"approach"``, ``"load"``, ``"tilt"``, ``"moment"``, ``"max_pressure"``, ``"max_half_width"``; or a place
             or an integral: `PressureAt`, `HalfWidthAt`, `PressureNorm`, `PowerIntegral` of `nonhertz.study`.
         holding : tuple of str
-            What stays the same when a shape changes: ``"load"`` or ``"approach"``, and ``"tilt"`` or ``"moment"``;
-            however the contact was solved.
+            The quantities held constant when a shape changes: ``"load"`` or ``"approach"``, and ``"tilt"`` or
+            ``"moment"``, independent of those prescribed in the solve.
 
         Returns
         -------
@@ -362,7 +361,7 @@ class Solution(Solved):
         >>> stiffness = 1.0 / solution.gradient("approach").given["load"]
         >>> round(float(stiffness / solution.stiffness[0, 0]), 6)
         1.0
-        >>> solution.gradient("max_pressure").by("a.profile.end_radius") < 0.0  # a flatter roller is pressed less
+        >>> solution.gradient("max_pressure").by("a.profile.end_radius") < 0.0  # a flatter roller has a lower pressure
         True
         """
         from nonhertz.result.gradient import gradient
@@ -376,7 +375,7 @@ class Solution(Solved):
 
     @property
     def displacement(self) -> Array:
-        """Elastic displacement of both surfaces together on the centre line [mm] at each strip; nan beyond an end."""
+        """Summed elastic displacement of both surfaces on the centre line [mm] at each strip; NaN beyond an end."""
         return self.gap + self.interference
 
 
@@ -388,7 +387,7 @@ def runs_out(solution: Solution, number: int, side: int) -> bool:
     solution : Solution
         The solution.
     number : int
-        Which of its ``contact_y``.
+        Index of the interval in ``contact_y``.
     side : {0, 1}
         The low or the high end.
     """

@@ -1,4 +1,4 @@
-"""What solutions by strips and on plane grids have in common."""
+"""The common base of solutions by strips and on plane grids."""
 
 from __future__ import annotations
 
@@ -25,14 +25,15 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Values = TypeVar("Values", bound=NDArray[Any])
 
-# Of the length common to both bodies: less than the first in contact, and within the second of an end of the land.
+# Fractions of the length common to both bodies: contact shorter than the first, and closer than the second to an end of
+# the land.
 _PARTLY, _AT_END = 0.5, 0.05
 
 
 if TYPE_CHECKING:
 
     class _Derived:
-        """What is a field of one of both, and is worked out by the other."""
+        """Attributes that are fields of one kind of solution and derived by the other."""
 
         @property
         def penetration(self) -> float: ...
@@ -66,12 +67,12 @@ else:
 
 
 class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
-    """A solved contact, on strips or on a plane grid: what code that reads a result relies on.
+    """A solved contact, on strips or on a plane grid: the attributes on which code that reads results relies.
 
     Attributes
     ----------
     contact : Contact
-        What was solved.
+        The solved contact.
     status : Status
         How the solve ended.
     approach, tilt : float
@@ -99,13 +100,13 @@ class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
     contact_y : tuple of (float, float)
         The intervals in contact along y [mm], ascending.
     singular_ends : tuple of SingularEnd
-        The ends at which the pressure has no limit, ascending.
+        The ends at which the pressure is unbounded, ascending.
     peaks_at_corner : bool
-        Whether the largest pressure is at a corner of the profile, where it has no limit.
+        Whether the maximum pressure is at a corner of the profile, where it is unbounded.
     error_estimate : ErrorEstimate
         Estimated discretisation errors.
     findings : tuple of Finding
-        What strains the model.
+        Strains of the model.
     """
 
     contact: Contact
@@ -135,12 +136,12 @@ class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
 
     @property
     def max_pressure_y(self) -> float:
-        """Where the largest pressure is [mm], the least y of two that are equal; nan where nothing touches."""
+        """Position of the maximum pressure [mm], the smaller y of two that are equal; NaN without contact."""
         return self._largest[1]
 
     @cached_property
     def max_half_width(self) -> float:
-        """The largest half-width more than a half-width from `singular_ends` [mm], zero where nothing touches."""
+        """The largest half-width more than a half-width from `singular_ends` [mm]; zero without contact."""
         return largest_half_width(self.y, self.half_width, singular_y(self))[0]
 
     @property
@@ -150,13 +151,13 @@ class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
 
     @property
     def remarks(self) -> tuple[Finding, ...]:
-        """What is worth knowing of a result although it strains no model: that a tilt leaves it to bear on one end."""
+        """Remarks that do not strain the model: edge loading, where a tilt leaves contact at one end only."""
         (low, high), (first, last) = self.contact.interval, self.contact.land
         common = high - low
         if not (self.contact_y and math.isfinite(common) and self.contact_length < _PARTLY * common):
             return ()
         if min(self.contact_y[0][0] - first, last - self.contact_y[-1][1]) > _AT_END * common:
-            return ()  # a crowned body bears on its middle
+            return ()  # a crowned body touches in its middle
         parts = mm(self.contact_length, common, between=" of ")
         return (finding("partial-contact", "Only {parts:.3g} are in contact, at one end.", parts=parts),)
 
@@ -166,5 +167,5 @@ FINITE: Final = ("approach", "tilt", "load", "moment", "max_pressure", "max_half
 
 
 def not_finite(solution: Solved) -> list[str]:
-    """Return which results of a solution are NaN or infinite that a converged one has."""
+    """Return the results of a solution that are NaN or infinite, but finite in every converged one."""
     return [name for name in FINITE if not math.isfinite(getattr(solution, name))]

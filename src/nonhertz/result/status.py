@@ -1,4 +1,4 @@
-"""How a solve ended, and how far off its numbers are estimated to be."""
+"""How a solve ended, and the estimated errors of its numbers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class Status(enum.Enum):
     CONVERGED = "The solution satisfies every contact condition."
     ITERATION_LIMIT = "The iterations reached their limit before the contact conditions were met."
     STAGNATED = "The iterations could not reduce the residual any further."
-    REFUTED = "The state in which the iterations ended does not meet what was prescribed."
+    REFUTED = "The state in which the iterations ended does not meet the prescribed values."
 
     @property
     def label(self) -> str:

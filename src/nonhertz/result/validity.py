@@ -1,6 +1,6 @@
-"""What strains the model in a solved case, and what is refused for it; each in one sentence.
+"""Strains of the model in a solved case, and refusals; each in one sentence.
 
-The core works out the numbers, for one case and for each of many alike; here they are compared with limits.
+The core computes the numbers, for one case and for each of many; here they are compared with limits.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ Array = NDArray[np.float64]
 LARGE_ERROR, LARGE_PRESSURE_ERROR = 0.05, 0.2  # estimated errors; a result worse than this is unfit for design
 MISSED = 0.02  # of the deepest interference: an overlap this large where no strip is in contact is a missed contact
 WIDEST_SERIES = 2.0  # lengths; a line load 17 lengths away is then accurate to 0.2 %
-SCARCELY = 4.0  # half-widths of springs: a body of less depth is to blame that no solution is found
+SCARCELY = 4.0  # half-widths of springs: if no solution is found, a body of smaller depth is the reason
 
 
 def is_strained(problem: Problem, judged: core.Judgement) -> bool:
-    """Return whether `strains` finds anything, at a hundredth of its price."""
+    """Return whether `strains` finds anything, at a hundredth of its cost."""
     errors, contact = judged.errors, problem.contact
     softer = min(contact.a.material.modulus, contact.b.material.modulus)
     large, large_pressure = LARGE_ERROR, LARGE_PRESSURE_ERROR
@@ -51,7 +51,7 @@ def is_strained(problem: Problem, judged: core.Judgement) -> bool:
 
 
 def strains(solution: Solution, problem: Problem, judged: core.Judgement) -> Iterator[Finding]:
-    """Yield every way in which the result leaves the model's validity."""
+    """Yield every condition in which the result exceeds the model's validity."""
     for check in checks(solution, judged.checks, problem.model.influence.ends):
         yield from check.findings
     yield from _large_errors(solution)
@@ -61,7 +61,7 @@ def strains(solution: Solution, problem: Problem, judged: core.Judgement) -> Ite
 
 
 def _large_errors(solution: Solution) -> Iterator[Finding]:
-    """Yield every result whose estimated error is large; a maximum without a limit has a finding of its own."""
+    """Yield every result whose estimated error is large; an unbounded maximum has a finding of its own."""
     estimate = solution.error_estimate
     approached = "approach"
     if estimate.approach > LARGE_ERROR and is_noticeable(solution.approach, solution.penetration):
@@ -73,18 +73,18 @@ def _large_errors(solution: Solution) -> Iterator[Finding]:
 
 
 def _short_of_accuracy(solution: Solution, problem: Problem, errors: core.Errors) -> Iterator[Finding]:
-    """Yield that the accuracy that was asked for is not met; larger errors have findings of their own."""
+    """Yield that the requested accuracy is not met; larger errors have findings of their own."""
     name, error = max(("approach", errors.approach), ("load", errors.load), key=lambda pair: pair[1])
     is_given, accuracy, by_modes, large = problem.accuracy_given, problem.accuracy, errors.left_by_modes, LARGE_ERROR
     if problem.pressure_accuracy is not None:
-        name, error, accuracy = "largest pressure", errors.max_pressure, problem.pressure_accuracy
+        name, error, accuracy = "maximum pressure", errors.max_pressure, problem.pressure_accuracy
         is_given, by_modes, large = True, errors.pressure_left_by_modes, LARGE_PRESSURE_ERROR
-    # Strips have no part in what the modes of a whole roller leave.
+    # The error of the modes of a whole roller does not depend on strips.
     if is_given and accuracy is not None and accuracy < error - by_modes <= large:
         yield finding(
             "short-of-accuracy",
-            "The accuracy of {asked:g} asked for is not met: the error of the {quantity} is estimated at {error:.2g}, "
-            "on {strips} strips. The rest is at sharp ends, corners or in roughness that strips do not resolve.",
+            "The requested accuracy of {asked:g} is not met: the error of the {quantity} is estimated at {error:.2g}, "
+            "on {strips} strips. The rest is due to sharp ends, corners or roughness that strips do not resolve.",
             asked=accuracy,
             quantity=name,
             error=error,
@@ -123,13 +123,13 @@ def _missed_contact(values: core.Checks) -> Iterator[Finding]:
 
 ROUND_IT = "round it as it is in reality, by a corner_radius or a chamfer with a blend_radius beside the profile"
 _NO_LIMIT = (
-    "the value there is that of a strip {width:.3g} wide, not a limit, and the maximum pressure is taken more than a "
+    "the value there depends on its strip, which is {width:.3g} wide, and the maximum pressure is taken more than a "
     "half-width from it"
 )
 
 
 def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, ...]:
-    """Return each end of the contact at which the pressure has no limit."""
+    """Return each end of the contact at which the pressure is unbounded."""
     sharp = {edge.y: edge for edge in solution.judgement.ends if edge.kind is EdgeKind.SINGULAR}
     findings = []
     for end in judged.singular:
@@ -160,7 +160,7 @@ def singularities(solution: Solution, judged: core.Judgement) -> tuple[Finding, 
 
 
 def _without_limit(solution: Solution) -> Iterator[Finding]:
-    """Yield ends at which the strips cut the contact off, and a corner within it that carries the maximum."""
+    """Yield ends at which the strips cut the contact off, and a corner within it with the maximum pressure."""
     for edge in solution.judgement.ends:
         if edge.kind is EdgeKind.CUT_OFF:
             yield finding(
@@ -173,17 +173,17 @@ def _without_limit(solution: Solution) -> Iterator[Finding]:
         width = float(solution.strip_width[np.abs(solution.y - solution.max_pressure_y).argmin()])
         yield finding(
             "corner-peak",
-            "The largest pressure is at a corner of the profile near y = {y:.6g}, where it is singular: it is that of "
-            f"a strip {{width:.3g}} wide, not a limit; {ROUND_IT}.",
+            "The maximum pressure is at a corner of the profile near y = {y:.6g}, where it is singular: the value "
+            f"depends on its strip, which is {{width:.3g}} wide; {ROUND_IT}.",
             y=mm(solution.max_pressure_y),
             width=mm(width),
         )
 
 
 def refuse_wide(solution: Solution, problem: Problem) -> None:
-    """Refuse a contact wider than one of its bodies is round, or than the material behind it is deep."""
+    """Refuse a contact that is wider than the radius of a body, or than the depth of the material behind it."""
     converged = solution.status is Status.CONVERGED
-    # A loop that failed leaves meaningless half-widths; those of springs may be too small by half.
+    # After a failed loop half-widths are meaningless; those of springs may be too small by half.
     half_width = solution.half_width
     if not converged:
         squares = core.springs(problem.model.in_core, problem.by_force, problem.target, solution.edges)

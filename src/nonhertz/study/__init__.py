@@ -1,8 +1,8 @@
-"""Studies: what the numbers of a contact or a bearing depend on.
+"""Studies: how the results of a contact or a bearing depend on its inputs.
 
-`sweep` solves a case for many values of its inputs and returns a `Sweep`; `tolerance` finds how its results are
-distributed when dimensions are, and returns a `Tolerance`; `optimize` finds the best dimensions, a `Design`; `pareto`
-weighs two groups of loads against each other, and returns a `Front`. All four are names of `nonhertz`, too.
+`sweep` solves a case for many values of its inputs and returns a `Sweep`; `tolerance` propagates distributions of its
+inputs to its results and returns a `Tolerance`; `optimize` finds the best dimensions, a `Design`; `pareto` trades two
+groups of loads against each other and returns a `Front`. All four are also names of `nonhertz`.
 `nonhertz.Solution.gradient` makes a `Gradient` of a named number of a solution, or of one of these: `PressureAt`,
 `HalfWidthAt`, `PressureNorm`, `PowerIntegral`, or `damage` by a model of fatigue.
 """

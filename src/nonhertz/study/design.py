@@ -37,10 +37,10 @@ _Point = tuple[dict[str, Any], float, float, Case]  # of a front: values, both p
 Portions = Callable[..., Iterator[tuple[Any, Any]]]
 
 POINTS, MOST_POINTS = 9, 50  # of a front
-_MET = -1e-4  # of a limit: by how little rounding of a search may miss it
-AT_BOUND = 1e-3  # of a range: values that come so close to an end of it are at that
-SAME = 0.01  # of the goal: starts that come so close have found the same
-COSTS = (0.01, 0.05)  # for which the bands of variables are found
+_MET = -1e-4  # of a limit: the rounding by which a search may miss it
+AT_BOUND = 1e-3  # of a range: values this close to an end of it count as at the end
+SAME = 0.01  # of the goal: starts this close have found the same optimum
+COSTS = (0.01, 0.05)  # losses of the goal for which bands of variables are determined
 PLACES = 401  # of a relief
 BAND_STEPS, BAND_CLOSE = 10, 2e-3  # of the search for an end of a band, and its width in a variable
 
@@ -54,14 +54,15 @@ class Start(ShortRepr):
     begun, ended : dict
         Values of the paths at its beginning and at its end.
     value : float
-        The goal there: the largest pressure [MPa], or the life over that of the case as it was; nan if it failed.
+        The goal at its end: the maximum pressure [MPa], or the life relative to that of the original case; NaN if it
+        failed.
     history : tuple of float
-        The goal at the best point so far, after every point it looked at; from where a first, less accurate search
-        ended it goes on to the accuracy of the case, by which the goal may get a little worse.
+        The best goal so far, after every evaluation. A first, less accurate search is continued with the accuracy of
+        the case, at which the goal may get slightly worse.
     meets : bool
         Whether all limits are met.
     failure : str
-        Why it failed; empty if it did not.
+        Why the search failed; empty if it did not.
     """
 
     begun: dict[str, Any]
@@ -74,14 +75,14 @@ class Start(ShortRepr):
 
 @dataclass(frozen=True)
 class Band:
-    """Between which values one variable may lie if the goal is to be worse by no more than a cost.
+    """The range of one variable in which the goal is worse by no more than a cost.
 
     Attributes
     ----------
     path : str
         The variable.
     cost : float
-        By how much the goal is worse at the ends, over itself.
+        Relative loss of the goal at the ends.
     low, high : float
         The band, in the base unit; an end at a bound of the variable is that bound.
     """
@@ -94,30 +95,31 @@ class Band:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Design(HasFindings, HasHtml):
-    """What a design has found.
+    """The result of a design.
 
     Attributes
     ----------
     goal : {"pressure", "life"}
-        What it is best for.
+        The goal.
     values : dict
-        The best value of every path, in its base unit; of a free profile, the square roots of its increments.
+        The best value of every path, in its base unit; for a free profile the square roots of its increments.
     value, before : float
-        The goal of the best and of the case as it was: the largest pressure [MPa], or the life over that of the case.
+        The goal of the optimum and of the original case: the maximum pressure [MPa], or the life relative to that of
+        the original case.
     starts : tuple of Start
         The searches, the best first.
     bands : tuple of Band
-        How flat the optimum is; none of free profiles.
+        How flat the optimum is; free profiles have none.
     worst : str
-        The load with the largest pressure, or with the largest share of the damage.
+        The load with the maximum pressure, or with the largest share of the damage.
     case : Case
         The optimised case.
     was : Case
-        The case as it was.
+        The original case.
     loads : tuple of ContactLoadCase
         The loads.
     findings : tuple of Finding
-        Which values are at an end of their range, beyond which better ones may lie.
+        Values at an end of their range, beyond which better ones may lie.
     """
 
     goal: str
@@ -134,7 +136,7 @@ class Design(HasFindings, HasHtml):
     findings: tuple[Finding, ...] = ()
 
     def __repr__(self) -> str:
-        what, unit = ("largest pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
+        what, unit = ("maximum pressure", " MPa") if self.goal == PRESSURE else ("life, times that before", "")
         lines = [f"{what} {format_digits(self.value)}{unit}, before {format_digits(self.before)}{unit}"]
         for path, value in self.values.items():
             if isinstance(value, float):
@@ -145,7 +147,7 @@ class Design(HasFindings, HasHtml):
 
     @property
     def agreeing(self) -> int:
-        """How many starts have found the same goal within 1 %."""
+        """The number of starts that agree within 1 %."""
         return sum(abs(start.value - self.value) <= SAME * abs(self.value) for start in self.starts)
 
     @cached_property
@@ -155,7 +157,7 @@ class Design(HasFindings, HasHtml):
 
     @cached_property
     def relief(self) -> tuple[Array, Array, Array]:
-        """Positions along body a, its relief after and before, all [mm]; nan where it has none."""
+        """Positions along body a, its relief after and before, all [mm]; NaN where it has no relief."""
         y = np.linspace(*self.case.contact.interval, PLACES)
         new, old = (case.contact.a.relief(y) + case.contact.b.relief(y) for case in (self.case, self.was))
         new, old = (np.where(np.isfinite(relief), relief, np.nan) for relief in (new, old))
@@ -171,7 +173,7 @@ class Front(HasFindings, HasHtml):
     values : tuple of dict
         The values of the paths of each point, from the best for the second group to the best for the first.
     first, second : tuple of float
-        The largest pressures under both groups [MPa].
+        The maximum pressures under both groups [MPa].
     cases : tuple of Case
         The cases of the points.
     loads : tuple of ContactLoadCase
@@ -179,7 +181,7 @@ class Front(HasFindings, HasHtml):
     units : dict
         The units of the paths.
     findings : tuple of Finding
-        Which values are at an end of their range, beyond which better points may lie.
+        Values at an end of their range, beyond which better points may lie.
     """
 
     values: tuple[dict[str, Any], ...]
@@ -197,7 +199,7 @@ class Front(HasFindings, HasHtml):
 
     @cached_property
     def verdict(self) -> Verdict | None:
-        """Whether all points bear their loads: the verdict on the one with the largest pressure."""
+        """Whether limits are met: the verdict on the point with the largest pressure."""
         return judge_rows(
             np.maximum(self.first, self.second), lambda k: _verdict(self.cases[k], self.loads), what="point"
         )
@@ -220,26 +222,26 @@ def optimize(
     Parameters
     ----------
     case : Case or str or Path
-        The case, or the file of a plan that names it and holds the other arguments; those given here come first.
+        The case, or the file of a plan with the case and the other arguments; arguments given here take precedence.
     bounds : mapping
         Lowest and highest value of every path that may be chosen, such as ``{"body.a.profile.drop": "2 um : 60 um"}``;
-        of a profile as a whole ``"free(60 um, 8)"``: one that only grows from the middle to both ends, by at most so
-        much, in so many steps.
+        for a whole profile ``"free(60 um, 8)"``: one that grows from the middle to both ends by at most 60 um, in 8
+        steps.
     goal : {"pressure", "life"}
-        The lowest peak pressure under any load, if left out, or the longest life under all of them.
+        The lowest peak pressure under any load (default), or the longest life under all loads.
     loads : sequence of ContactLoadCase, optional
         The loads with their shares of the revolutions; by default the spectrum of the case, or its load.
     constraints : mapping, optional
-        What must hold under every load, such as ``{"approach": "at most 30 um"}``, for quantities of a solution.
+        Limits of quantities of a solution under every load, such as ``{"approach": "at most 30 um"}``.
     model : Model, optional
-        The fatigue model of lives, one without a fatigue limit; Lundberg and Palmgren's if left out.
+        The fatigue model of lives, one without a fatigue limit; Lundberg and Palmgren's by default.
     n_starts : int
-        Number of searches, 5 if left out: one from the case as it is, if it lies within the bounds, the others spread
-        between them.
+        Number of searches, 5 by default: one from the original case, if it lies within the bounds, the others spread
+        between these.
     workers : int, optional
         Number of processes; all cores if left out. The result does not depend on it.
     callback : callable, optional
-        Called with how many searches have ended, and how many there are.
+        Called with the number of searches that have ended, and their total number.
 
     Returns
     -------
@@ -291,11 +293,11 @@ def pareto(
     n_starts: int | None = None,
     workers: int | None = None,
 ) -> Front:
-    """Find the Pareto front of the largest pressures under two groups of loads, aligned and misaligned ones, say.
+    """Find the Pareto front of the maximum pressures under two groups of loads, such as aligned and misaligned ones.
 
-    Every point has the lowest peak pressure under the first group for which that under the second stays below a cap;
-    the caps are evenly spread from the lowest pressure that the second group can have to the one it has in the design
-    that is best for the first. A point that is no better than another in either pressure is left out.
+    Every point has the lowest peak pressure under the first group with that under the second below a cap. The caps are
+    evenly spaced from the lowest possible pressure under the second group to that in the best design for the first.
+    Points that are no better than another in either pressure are left out.
 
     Parameters
     ----------
@@ -304,7 +306,7 @@ def pareto(
     first, second : sequence of ContactLoadCase
         The groups; their shares have no effect.
     points : int
-        Number of points at most, 3 to 50.
+        Largest number of points, 3 to 50.
 
     Returns
     -------
@@ -333,7 +335,7 @@ def pareto(
     tasks = []
     for k, cap in enumerate(caps):
         task = replace(base, loads=every, caps=(*free, *(cap,) * capped))
-        # From both ends, and from as far between them as the cap is.
+        # Starts: both ends, and a point between them in proportion to the cap.
         share = (k + 1.0) / (points - 1.0)
         tasks += [(k, task, x) for x in (*begins, (1.0 - share) * begins[1] + share * begins[0])]
     ended = _solve_caps(tasks, workers)
@@ -348,7 +350,7 @@ def pareto(
 
 
 def _solve_caps(tasks: Sequence[tuple[int, Task, Array]], workers: int | None) -> dict[int, Search]:
-    """Return the best search of each number that meets its limits."""
+    """Return by number the best search that meets its limits."""
     ended: dict[int, Search] = {}
     with contextlib.closing(Workers()) as solving:
         for (k, _, _), search in solving.portions(search_from, tasks, min(thread_count(workers), len(tasks))):
@@ -358,7 +360,7 @@ def _solve_caps(tasks: Sequence[tuple[int, Task, Array]], workers: int | None) -
 
 
 def _without_worse(rows: list[_Point]) -> list[_Point]:
-    """Return the points than which none has no more of either pressure, and less of one."""
+    """Return the points that no other point improves in one pressure without a loss in the other."""
     return [
         row
         for row in rows
@@ -428,7 +430,7 @@ def _start_of(task: Task, search: Search | LostError, goal: Callable[[float], fl
 
 
 def _worst_load(judged: DesignPoint) -> str:
-    """Return the load with the largest pressure, or with the largest share of the damage, in words."""
+    """Return the load with the maximum pressure, or with the largest share of the damage, in words."""
     loads = judged.task.loads
     if judged.task.goal == PRESSURE:
         worst = loads[judged.largest[1]]
@@ -442,7 +444,7 @@ def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str
     """Yield each variable that is best at an end of its range, at one point or at some of a front."""
     words = "The best {path} is the {end} of its range, {range:g}"
     words += ", at {count} of {points} points" if len(points) > 1 else ""
-    words += ": a better one may lie beyond; widen the range, or take it as what the range allows."
+    words += ": a better one may lie beyond; widen the range, or accept it as the best within the range."
     for variable, *shares in zip(task.variables, *points, strict=True):
         for end, at in (("lowest", 0.0), ("highest", 1.0)) if variable.form is None else ():
             if count := sum(abs(share - at) < AT_BOUND for share in shares):
@@ -452,7 +454,7 @@ def _at_bounds(task: Task, points: Sequence[Sequence[float]], units: Mapping[str
 
 
 def _bands(task: Task, judged: DesignPoint, portions: Portions) -> tuple[Band, ...]:
-    """Return how far each variable may go at each cost."""
+    """Return the band of each variable at each cost."""
     tasks = [
         (task, judged.x, judged.value, k, cost)
         for k, variable in enumerate(task.variables)
@@ -464,10 +466,10 @@ def _bands(task: Task, judged: DesignPoint, portions: Portions) -> tuple[Band, .
 
 
 def _band(job: tuple[Task, Array, float, int, float]) -> Band:
-    """Return how far a variable may go; called in other processes."""
+    """Return the band of a variable; called in other processes."""
     task, x, value, k, cost = job
     variable = task.variables[k]
-    # A life that is shorter by a cost is a damage that is larger by it.
+    # A life that is shorter by a cost means damage that is larger by it.
     allowed = value * (1.0 + cost) if task.goal == PRESSURE else value / (1.0 - cost)
 
     def worse(share: float) -> bool:

@@ -1,4 +1,4 @@
-"""What a design is asked for, and where its searches begin."""
+"""The task of a design, and the starts of its searches."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from nonhertz.study.objective import GOALS, LIFE, PRESSURE, Task, Variable
 Array = NDArray[np.float64]
 
 STARTS, MOST_STARTS = 5, 100
-BEYOND = 1.2  # by how much slopes and curvatures of a start stay below their bounds at least
+BEYOND = 1.2  # least ratio of bounds to slopes and curvatures of a start
 
 
 def check_design(
@@ -37,12 +37,12 @@ def check_design(
     model: Model | None = None,
     n_starts: int | None = None,
 ) -> tuple[Task, int]:
-    """Return the task of `optimize` and the number of starts; refuse what it refuses before it solves anything."""
+    """Return the task of `optimize` and the number of starts; invalid arguments are refused before any solving."""
     plan: dict[str, Any] = {}
     if isinstance(case, str | Path):
         case, plan = read_design(case)
     if not isinstance(case, Case):
-        remedy = "read one with nonhertz.read_case; a bearing is swept over"
+        remedy = "read one with nonhertz.read_case; a bearing can only be swept"
         raise InputError("case", case, "be a case of a single contact", remedy)
     arguments: dict[str, Any] = {
         "bounds": bounds,
@@ -55,7 +55,7 @@ def check_design(
     plan |= {name: value for name, value in arguments.items() if value is not None}
     template = Template(case.document, case.path, is_bearing=False)
     chosen = plan.get("goal", PRESSURE)
-    one_of("goal", chosen, GOALS, "say what is to be best")
+    one_of("goal", chosen, GOALS, "choose one of them")
     fatigue = lundberg_palmgren() if plan.get("model") is None else plan["model"]
     if chosen == LIFE or model is not None:
         from nonhertz.study.lives import damage
@@ -74,7 +74,7 @@ def check_design(
 
 def _mapping(name: str, value: object) -> Mapping[str, Any]:
     if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
-        raise InputError(name, value, "be a dictionary", "map paths or names to what they may be")
+        raise InputError(name, value, "be a dictionary", "map paths or names to their limits")
     return value
 
 
@@ -91,11 +91,11 @@ def _variables(template: Template, bounds: object) -> tuple[Variable, ...]:
             try:
                 template.case({path: end})
             except NonhertzError as error:
-                condition = f"stay within what the case allows (at {end:.6g}: {str(error).rstrip('.')})"
-                remedy = "change these bounds, or what the case holds beside them"
+                condition = f"be valid in the case (at {end:.6g}: {str(error).rstrip('.')})"
+                remedy = "change these bounds, or related inputs of the case"
                 raise InputError(path, text, condition, remedy) from None
     if not variables:
-        raise InputError("bounds", bounds, "name a path", 'write {"body.a.profile.drop": "2 um : 60 um"}, say')
+        raise InputError("bounds", bounds, "name a path", 'write for example {"body.a.profile.drop": "2 um : 60 um"}')
     return tuple(variables)
 
 
@@ -114,13 +114,13 @@ def _loads(case: Case, loads: Any) -> tuple[ContactLoadCase, ...]:
 
 
 def shares_of(task: Task, values: Mapping[str, Any]) -> list[float]:
-    """Return the variables of values."""
+    """Return the variables at these values."""
     remaining = {path: iter(value) if isinstance(value, list) else iter([value]) for path, value in values.items()}
     return [variable.share(next(remaining[variable.path])) for variable in task.variables]
 
 
 def find_starts(task: Task, starts: int) -> list[Array]:
-    """Return where the searches begin: at the case as it is, if it lies within the bounds, and spread between these."""
+    """Return the starts of the searches: the original case, if within the bounds, and others spread between these."""
     from scipy.stats import qmc
 
     now = _shares_as_is(task)
@@ -131,18 +131,18 @@ def find_starts(task: Task, starts: int) -> list[Array]:
         x = 0.05 + 0.9 * point
         for path in {variable.path for variable in task.variables if variable.form is not None}:
             at = [k for k, variable in enumerate(task.variables) if variable.path == path]
-            # More towards the ends, as profiles are, and between a tenth and half of the deepest in all.
+            # Increasing towards the ends, as profiles do, and between a tenth and half of the largest relief in all.
             x[at] = (0.3 + x[at]) * np.linspace(0.1, 1.0, len(at)) ** 2
             x[at] *= math.sqrt(0.1 + 0.4 * float(point[at[0]])) / np.linalg.norm(x[at])
         for mine, margins, _ in task.of_forms(x):
-            # Free profiles are to begin within their bounds: margins are 1 less something that grows with the squares.
+            # Free profiles must start within their bounds; margins are 1 minus a term that grows with the squares.
             x[mine] /= math.sqrt(max(1.0, BEYOND * (1.0 - float(margins.min()))))
         begins.append(x)
     return begins
 
 
 def _shares_as_is(task: Task) -> Array | None:
-    """Return the case as it is; None if it lies outside the bounds, or does not say."""
+    """Return the original case; None if it lies outside the bounds, or leaves values out."""
     from nonhertz.inputs.units import to_unit
 
     point = []

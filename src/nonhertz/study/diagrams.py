@@ -1,4 +1,4 @@
-"""Diagrams of a bearing: life, pressure, stiffness and film over one of its inputs, all others as they are."""
+"""Diagrams of a bearing: life, pressure, stiffness and film over one of its inputs, all others fixed."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from nonhertz.study.sweeps import Progress, Sweep, sweep
 Array = NDArray[np.float64]
 
 POINTS = 41
-#: What a diagram shows: of each line the first that has numbers.
+#: The quantities of a diagram: the first one in each line that has numbers.
 SHOWN = (
     ("modified_life", "reference_life", "basic_life"),
     ("max_pressure", "max_load"),
@@ -41,10 +41,10 @@ SHOWN = (
     ("film_parameter", "least_film"),
 )
 LIFE = SHOWN[0]
-#: Tables in which a key without a path is looked for.
+#: Tables in which a key without a path is searched.
 _PAIR = "bearing.pair."
 TABLES = ("load.", _PAIR, "bearing.", "lubrication.")
-_WAY_OUT = "change the range, or what the file holds beside it"
+_WAY_OUT = "change the range, or related inputs of the file"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -54,7 +54,7 @@ class Diagram(HasHtml):
     Attributes
     ----------
     sweep : Sweep
-        The rows: a value of the input each, in the base unit.
+        The rows, each with a value of the input in its base unit.
     """
 
     sweep: Sweep
@@ -79,7 +79,7 @@ class Diagram(HasHtml):
 
     @property
     def quantities(self) -> tuple[Quantity, ...]:
-        """What is shown: life, pressure (by slices load), stiffness and film, as far as they are known."""
+        """The quantities shown: life, pressure (load by slices), stiffness and film, if they are known."""
         known = {quantity.name: quantity for quantity in self.sweep.quantities}
         shown = (next((known[name] for name in names if name in known and self._has(name)), None) for names in SHOWN)
         return tuple(quantity for quantity in shown if quantity is not None)
@@ -92,7 +92,7 @@ class Diagram(HasHtml):
 
     @property
     def class_limits(self) -> Range | None:
-        """Between which values the class in the file keeps it: a group of clearance; None if it has none."""
+        """The limits of the input by the class in the file, a group of clearance; None if it has none."""
         case = self.sweep.plan.case
         assert isinstance(case, BearingCase)
         if self.path != "bearing.clearance":
@@ -168,7 +168,7 @@ class Diagram(HasHtml):
         )  # fmt: skip
 
     def _has(self, name: str) -> bool:
-        """Return whether a quantity has numbers other than zero, as stiffness has along which nothing is held."""
+        """Return whether a quantity has numbers other than zero; stiffness along a free direction has not."""
         ends = self.sweep.extremes(name)
         return ends is not None and max(map(abs, ends)) > 0.0
 
@@ -188,13 +188,11 @@ def diagram(
     case : BearingCase or str or Path
         The bearing, or its file.
     over : str
-        The input: a path of the file, or the last word of one in its tables of the load, the pair or the bearing, such
-        as ``"clearance"``, which of a pair is that of the pair; ``"load"`` is the radial one.
+        The input: a path of the file, or the last word of a path in its tables of the load, the pair or the bearing,
+        such as ``"clearance"``, which for a pair is that of the pair; ``"load"`` is the radial load.
     values : str or sequence of float
-        Its values: a range such as ``"0 : 60 um"``, with 41 values if the number is left out (``"0 : 60 um : 21"``), or
-        numbers in the base unit.
-    workers, callback
-        As of `nonhertz.sweep`; by slices one process if left out.
+        Its values: a range such as ``"0 : 60 um"``, with 41 values, or ``"0 : 60 um : 21"``, or numbers in the base
+        unit. workers, callback As for `nonhertz.sweep`; by slices one process by default.
 
     Returns
     -------
@@ -205,7 +203,7 @@ def diagram(
     CaseError
         If the file has mistakes.
     InputError
-        If there is no such input, it cannot have these values, or no value has a solution.
+        If there is no such input, values are invalid, or no value has a solution.
 
     Examples
     --------
@@ -226,7 +224,7 @@ def diagram(
     case = case if isinstance(case, BearingCase) else read_bearing(case)
     plan = Plan(case)
     if workers is None and case.solver.method == "slices":
-        workers = 1  # slices take less time than a process to begin
+        workers = 1  # slices take less time than starting a process
     names = tuple(name for names in SHOWN for name in names if name in QUANTITIES)
     if isinstance(values, str) and values.count(":") == 1:
         values = f"{values} : {POINTS}"
@@ -239,7 +237,7 @@ def diagram(
 
 
 def _path(word: str, plan: Plan) -> str:
-    """Return the path of an input, of which the last word may be given alone."""
+    """Return the path of an input, which may be given by its last word."""
     document, known = plan.template.document, plan.template.known
     if isinstance(word, str) and "." not in word:
         word = {"load": "radial"}.get(word, word)

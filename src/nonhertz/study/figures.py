@@ -33,12 +33,12 @@ from nonhertz.study.sweeps import Sweep
 from nonhertz.study.tolerances import Tolerance
 
 MOST_PANELS = 6
-FEW = 6  # lines in one panel; of more values a map is drawn, of more searches the best
+FEW = 6  # lines in one panel; more values are drawn as a map, of more searches only the best
 MOST_DRAWN = 100_000  # rows
-LAND = 0.94  # of the length, on which a relief is looked at for the height of its drawing
-LEAST_BAND = 0.02  # of the height of a drawing: what is thinner is no band to look at
+LAND = 0.94  # of the length: the part of a relief that determines the height of its drawing
+LEAST_BAND = 0.02  # of the height of a drawing: thinner bands are not drawn
 BAND, PLACES, MOST_PROFILES = (0.025, 0.975), 401, 400
-_SECTIONS = ("load", "bearing", "solver", "life")  # of a file, which go without saying
+_SECTIONS = ("load", "bearing", "solver", "life")  # of a file; omitted in labels
 _PICTURED = {"approach", "load", "max_pressure", "max_half_width", "max_load", "reference_life", "modified_life"}
 _ALONG = Axis("Axial position y", "y", "mm")
 _PRESSURE = Axis("Centre-line pressure p₀", "p₀", "MPa")
@@ -60,15 +60,15 @@ def sweep_figures(sweep: Sweep) -> dict[str, Figure]:
 
 
 def tolerance_figures(tolerance: Tolerance) -> dict[str, Figure]:
-    """Return figures of a tolerance study by name: how results are distributed, what matters, the band of profiles."""
+    """Return figures of a tolerance study by name: distributions, influences, and the band of profiles."""
     sweep = tolerance.sweep
     shown = [quantity for quantity in tolerance.main if sweep.extremes(quantity.name) is not None][:MOST_PANELS]
     if not shown or len(sweep) > MOST_DRAWN:
         return {}
     results = [quantity for quantity in shown if quantity in tolerance.results and tolerance.indices(quantity.name)]
     captions = (
-        "How results are distributed: quantiles with the intervals in which they lie, and limits.",
-        "Which share of the variance each input has, alone and in total, with intervals.",
+        "Distributions of results: quantiles with confidence intervals, and limits.",
+        "Share of the variance due to each input, alone and in total, with confidence intervals.",
         "Profiles of the samples.",
     )
     return {
@@ -79,7 +79,7 @@ def tolerance_figures(tolerance: Tolerance) -> dict[str, Figure]:
 
 
 def design_figures(design: Design) -> dict[str, Figure]:
-    """Return figures of a design by name: pressure and relief before and after, and how the searches went."""
+    """Return figures of a design by name: pressure and relief before and after, and the progress of the searches."""
     y, best, before = design.relief
     relief = lines_over(_ALONG, y, {"designed": best, "before": before}, Axis("Relief", "relief", "mm", "um"))
     panels = [*(_before_and_after(design, load) for load in _worst_loads(design)), _on_land(relief, y, best, before)]
@@ -89,7 +89,7 @@ def design_figures(design: Design) -> dict[str, Figure]:
 
 def front_figures(front: Front, groups: tuple[str, str] = ("first loads", "second loads")) -> dict[str, Figure]:
     """Return the figure of a Pareto front, ``"front"``: one pressure over the other, under both groups of loads."""
-    along, upright = (Axis(f"Largest pressure, {group}", group, "MPa") for group in groups)
+    along, upright = (Axis(f"Maximum pressure, {group}", group, "MPa") for group in groups)
     panel = lines_over(along, np.array(front.first), {"": np.array(front.second)}, upright)
     words = f"No design has less pressure under {groups[0]} without more under {groups[1]}."
     return _figure("front", [replace(panel, name="front", height=260)], words)
@@ -131,7 +131,7 @@ def _bands(sweep: Sweep) -> list[Panel]:
 
 
 def _band(sweep: Sweep, name: str, paths: Sequence[str]) -> Panel | None:
-    """Return the band in which most profiles of a body lie; None if it is none to look at."""
+    """Return the band of most profiles of a body; None if it is too thin to draw."""
     nominal = getattr(sweep.plan.case.contact, name)  # type: ignore[union-attr]
     if nominal.length is None:
         return None
@@ -156,7 +156,7 @@ def _band(sweep: Sweep, name: str, paths: Sequence[str]) -> Panel | None:
 
 
 def _inner(y: Array) -> NDArray[np.bool_]:
-    """Return what is not near the ends, where corners are many times as deep as a profile."""
+    """Return which positions are away from the ends, where corners are many times as deep as a profile."""
     return np.asarray(np.abs(y - y.mean()) < LAND * 0.5 * np.ptp(y))
 
 
@@ -200,14 +200,14 @@ def _convergence(design: Design) -> Panel:
     longest = max(values.size for values in lines.values())
     lines = {name: np.pad(values, (0, longest - values.size), mode="edge") for name, values in lines.items()}
     of_pressure = design.goal == PRESSURE
-    upright = Axis("Largest pressure", "p", "MPa") if of_pressure else Axis("Life over that before", "life")
-    panel = lines_over(Axis("Points looked at", "points"), np.arange(1.0, longest + 1.0), lines, upright)
+    upright = Axis("Maximum pressure", "p", "MPa") if of_pressure else Axis("Life relative to original", "life")
+    panel = lines_over(Axis("Evaluations", "evaluations"), np.arange(1.0, longest + 1.0), lines, upright)
     remark = f"the best {len(some)} of {len(design.starts)} starts" if len(design.starts) > len(some) else ""
     return replace(panel, name="searches", remark=remark)
 
 
 def in_words(path: str) -> str:
-    """Return what people call the value at a path.
+    """Return the value at a path in words.
 
     Examples
     --------
@@ -219,7 +219,7 @@ def in_words(path: str) -> str:
 
 
 def _capital(words: str) -> str:
-    return words if words.startswith("d ") else words[:1].upper() + words[1:]  # a derivative is written small
+    return words if words.startswith("d ") else words[:1].upper() + words[1:]  # derivatives keep their small letter
 
 
 def axis_of(quantity: Quantity) -> Axis:
@@ -237,14 +237,14 @@ def axis_over(path: str, unit: str, values: NDArray[Any]) -> tuple[Axis, Array]:
 
 
 def _quantities_drawn(sweep: Sweep) -> tuple[Quantity, ...]:
-    """Return the quantities that are drawn: those asked for by name, or the main ones that are not given."""
+    """Return the quantities that are drawn: those requested by name, or the main ones that are not given."""
     if sweep.plan.quantities:
         return sweep.quantities
     return tuple(quantity for quantity in sweep.quantities if quantity.name in _PICTURED - sweep.given)
 
 
 def _panel_of(sweep: Sweep) -> Callable[[Quantity], Panel] | None:
-    """Return what makes the panel of a quantity, by what is varied; None if that cannot be drawn."""
+    """Return a function that makes the panel of a quantity; None if the varied inputs cannot be drawn."""
     spreads = [sweep.plan.spreads[path] for path in sweep.paths]
     if any(isinstance(spread, Distribution) for spread in spreads):
         sampled = all(isinstance(spread, Distribution) for spread in spreads)
@@ -259,7 +259,7 @@ def _panel_of(sweep: Sweep) -> Callable[[Quantity], Panel] | None:
 
 
 def _over_two(sweep: Sweep, lists: Mapping[str, NDArray[Any]]) -> Callable[[Quantity], Panel]:
-    """Return what makes lines over one path, named by the one with few values or words; or maps over both."""
+    """Return a function that makes lines over one path, named by the values of the other; or maps over both."""
     axes = [axis_over(path, sweep.unit(path), values) for path, values in lists.items()]
     (first, a), (second, b) = axes
     by_first = bool(first.categories) or (a.size <= FEW and not second.categories and a.size <= b.size)

@@ -1,4 +1,4 @@
-"""Limits of quantities, and how samples stand against them."""
+"""Limits of quantities, and samples compared with them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ CERTAINTY = 0.95
 
 @dataclass(frozen=True)
 class Limit:
-    """What a quantity must be.
+    """The limits of a quantity.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Limit:
 
     @property
     def sides(self) -> list[tuple[float, float]]:
-        """The bounds that there are, each with the sign of what goes beyond it."""
+        """The bounds, each with the sign of the direction beyond it."""
         return [(sign, bound) for sign, bound in ((-1.0, self.most), (1.0, self.least)) if bound is not None]
 
 
@@ -66,20 +66,20 @@ def limits_in(limits: Mapping[str, Any], known: Mapping[str, Quantity]) -> tuple
             continue
         kind = next((word for word in ("at most", "at least") if str(text).strip().startswith(word)), None)
         if kind is None:
-            remedy = "write 'at most 30 um' or 'at least 500000', say"
+            remedy = "write for example 'at most 30 um' or 'at least 500000'"
             raise InputError(str(name), text, "begin with 'at most' or 'at least'", remedy)
         unit = known[name].unit
         unit = unit if unit in {"mm", "N", "MPa", "rad", "N mm"} else ""
         number = parse_number(str(name), str(text).strip().removeprefix(kind), unit)
         if number == 0.0:
-            raise InputError(str(name), text, "not be zero", "give a number that a margin can be taken of")
+            raise InputError(str(name), text, "not be zero", "give a number to which a margin can be relative")
         checked.append(Limit(name, most=number) if kind == "at most" else Limit(name, least=number))
     return tuple(checked)
 
 
 @dataclass(frozen=True)
 class Capability:
-    """How independent samples of a quantity stand against one limit.
+    """Independent samples of a quantity compared with one limit.
 
     Attributes
     ----------
@@ -90,10 +90,9 @@ class Capability:
     limit : float
         The limit, in the base unit of the quantity.
     samples, beyond : int
-        How many samples there are, and how many of them lie beyond the limit.
+        Numbers of samples, and of samples beyond the limit.
     fraction, low, high : float
-        The fraction beyond, and between which the true one lies with 95 % certainty whatever the distribution:
-        Clopper and Pearson's interval.
+        The fraction beyond the limit, and its 95 % confidence interval for any distribution (Clopper and Pearson).
     mean, deviation : float
         Mean and standard deviation of the samples, in the base unit.
     cpk : float
@@ -129,14 +128,14 @@ class Capability:
 
 
 def capabilities(limit: Limit, values: NDArray[np.float64]) -> list[Capability]:
-    """Return how samples stand against each side of a limit.
+    """Return the comparison of samples with each side of a limit.
 
     Parameters
     ----------
     limit : Limit
         The limit.
     values : ndarray, shape (n,)
-        Two samples at least; those that are not finite are left out.
+        At least two samples; those that are not finite are left out.
     """
     from scipy.stats import binomtest
 

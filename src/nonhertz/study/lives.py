@@ -1,4 +1,4 @@
-"""Lives as measures that have a gradient."""
+"""Lives as measures with a gradient."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from nonhertz.result.measures import PowerIntegral
 
 
 def damage(model: Model) -> PowerIntegral:
-    """Return the damage that a contact does under a load, up to a factor that no shape changes.
+    """Return the damage of a contact under a load, up to a factor that does not depend on shapes.
 
-    The life is as the damage to the power ``-1 / model.slope``: where the damage grows by a per cent, it falls by
-    ``1 / model.slope`` per cent.
+    The life is proportional to the damage to the power ``-1 / model.slope``: if the damage grows by one per cent, the
+    life falls by ``1 / model.slope`` per cent.
 
     Parameters
     ----------
@@ -22,13 +22,13 @@ def damage(model: Model) -> PowerIntegral:
     Returns
     -------
     PowerIntegral
-        For a volume model, whose stress is as the pressure p and whose depth is as the half-width b under the line of
-        contact, that of p^k b^(1 - h). For laminae that of (p b)^4.5, without a function of edge stress.
+        The integral of p^k b^(1 - h) for a volume model, since the stress is proportional to the pressure p and the
+        depth to the half-width b; that of (p b)^4.5 for laminae, without a function of edge stress.
 
     Raises
     ------
     InputError
-        If it is no such model, or has a limit.
+        If it is not such a model, or has a fatigue limit.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""What a design is judged by: numbers of all its loads and their derivatives, at a point of its variables.
+"""The objective of a design: numbers under all its loads and their derivatives, at a point of its variables.
 
-Variables run from 0 to 1 between their bounds: in proportion, or, where the bounds are far apart, in their logarithm.
-Derivatives come from one adjoint solve for each number (`nonhertz.Solution.gradient`); of a profile, by what a step of
-the variable changes of the relief under every strip.
+Variables run from 0 to 1 between their bounds: linearly or, if the bounds are far apart, logarithmically. Derivatives
+come from one adjoint solve for each number (`nonhertz.Solution.gradient`); for a profile, from the change of the relief
+under every strip with a step of the variable.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ from nonhertz.study.lives import damage
 Array = NDArray[np.float64]
 
 WIDE = 10.0  # ratio of bounds from which a variable is taken in its logarithm
-STEP = 1e-4  # of a variable, for what it changes of the bodies
-FEWEST_ZONES, ZONES_PER_VARIABLE = 3, 2  # of the contact: the largest pressure of each is looked at
-# Accuracy of a first search: mostly within 0.2 % of the pressure, in two thirds of the time; now and then strips miss a
-# narrow peak, so that a second search of the accuracy of the case goes on from there.
+STEP = 1e-4  # of a variable, for differences of the bodies' shapes
+FEWEST_ZONES, ZONES_PER_VARIABLE = 3, 2  # of the contact, each with its largest pressure
+# Accuracy of a first search: mostly within 0.2 % of the pressure, in two thirds of the time. Occasionally strips miss a
+# narrow peak, so that a second search with the accuracy of the case continues from there.
 SEARCHING = 3e-4
 PRESSURE, LIFE = "pressure", "life"
 GOALS = (PRESSURE, LIFE)
@@ -48,7 +48,7 @@ _WITH_GRADIENT = ("approach", "load", "moment", "max_pressure", "max_half_width"
 
 @dataclass(frozen=True)
 class Variable:
-    """Something that a design may choose: a number between bounds, or an increment of a free profile."""
+    """A variable of a design: a number between bounds, or an increment of a free profile."""
 
     path: str  # of the number, or that of the profile
     low: float  # bounds, in the base unit
@@ -61,13 +61,13 @@ class Variable:
         return self.form is None and self.low > 0.0 and self.high > WIDE * self.low
 
     def value(self, share: float) -> float:
-        """Return the number at a share of the way between the bounds."""
+        """Return the number at a fraction of the range between the bounds."""
         if self.logarithmic:
             return float(self.low * (self.high / self.low) ** share)
         return self.low + (self.high - self.low) * share
 
     def share(self, value: float) -> float:
-        """Return where a number lies between the bounds."""
+        """Return the position of a number between the bounds, from 0 to 1."""
         if self.logarithmic:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
@@ -75,34 +75,35 @@ class Variable:
 
 @dataclass(frozen=True)
 class Task:
-    """A design's question, in a form that can be sent to other processes."""
+    """The task of a design, in a form that can be sent to other processes."""
 
     template: Template  # the case
-    variables: tuple[Variable, ...]  # what may be chosen
+    variables: tuple[Variable, ...]  # to be chosen
     loads: tuple[ContactLoadCase, ...]  # with their shares of the revolutions
     goal: str  # "pressure", the lowest peak, or "life", the longest
     model: Model  # of fatigue
-    limits: tuple[Limit, ...] = ()  # what must hold
-    # The most pressure that each load may have [MPa]; None of those whose pressure is the goal, as all are if empty.
+    limits: tuple[Limit, ...] = ()  # to be met
+    # Largest pressure allowed under each load [MPa]; None if its pressure is the goal; empty if that holds for all
+    # loads.
     caps: tuple[float | None, ...] = ()
 
     @property
     def zones(self) -> int:
-        """Into how many zones a contact is divided: more than variables, so that peaks cannot hide between them."""
+        """The number of zones of a contact: more than variables, so that no peak is missed between them."""
         return max(FEWEST_ZONES, ZONES_PER_VARIABLE * len(self.variables) + 1)
 
     def cap(self, number: int) -> float | None:
-        """Return the most pressure that a load may have [MPa]; None of one whose pressure is the goal."""
+        """Return the largest pressure allowed under a load [MPa]; None if its pressure is the goal."""
         return self.caps[number] if self.caps else None
 
     @property
     def is_automatic(self) -> bool:
-        """Whether the case leaves it open how accurately it is solved."""
+        """Whether the case leaves its accuracy open."""
         solver = self.template.document.get("solver", {})
         return is_automatic(solver.get("strips", "auto")) and "accuracy" not in solver
 
     def values(self, x: Array) -> dict[str, Any]:
-        """Return the value of each path; of a free profile its increments."""
+        """Return the value of each path; for a free profile its increments."""
         by_path: dict[str, Any] = {}
         for variable, share in zip(self.variables, x.tolist(), strict=True):
             if variable.form is None:
@@ -112,7 +113,7 @@ class Task:
         return by_path
 
     def of_forms(self, x: Array) -> list[tuple[NDArray[np.bool_], Array, Array]]:
-        """Return of every free profile which variables are its own, the margins of its bounds, and their slopes."""
+        """Return for every free profile which variables it has, the margins of its bounds, and their slopes."""
         parts = []
         for path, form in {
             variable.path: variable.form for variable in self.variables if variable.form is not None
@@ -137,19 +138,19 @@ class Task:
         Raises
         ------
         CaseError
-            If no file could hold it.
+            If the case is not valid.
         """
         read = self.template.of_document(self.document(x))
         assert isinstance(read, Case)
         return read
 
     def at(self, x: Array, accuracy: float | None = None) -> DesignPoint:
-        """Return the case under all loads at a point, to an accuracy of its own if the case does not ask for one.
+        """Return the case under all loads at a point; ``accuracy`` applies if the case leaves it open.
 
         Raises
         ------
         NonhertzError
-            If the case is not allowed, or a load has no solution.
+            If the case is not valid, or a load has no solution.
         """
         case = self.case(x)
         with without_accuracy_warnings():
@@ -170,12 +171,12 @@ class DesignPoint:
 
     @property
     def value(self) -> float:
-        """What is made small: the largest pressure [MPa], or the damage by which lives shorten."""
+        """The number to be minimised: the maximum pressure [MPa], or the damage, which shortens lives."""
         return self.largest[0] if self.task.goal == PRESSURE else self.damage
 
     @property
     def largest(self) -> tuple[float, int]:
-        """The largest pressure of all loads [MPa], and the number of the load."""
+        """The maximum pressure under all loads [MPa], and the number of its load."""
         pressures = [
             solution.max_pressure if self.task.cap(number) is None else 0.0
             for number, solution in enumerate(self.solutions)
@@ -184,7 +185,7 @@ class DesignPoint:
 
     @property
     def damages(self) -> Array:
-        """What each load takes of the life per revolution of it, in any unit, shape (loads,)."""
+        """The damage of a revolution under each load, in any unit, shape (loads,)."""
         measure = damage(self.task.model)
         return np.array([measure.partials(solution).value for solution in self.solutions]) ** (
             1.0 / self.task.model.slope
@@ -192,13 +193,13 @@ class DesignPoint:
 
     @property
     def damage(self) -> float:
-        """What a revolution takes of the life, in any unit."""
+        """The mean damage of a revolution, in any unit."""
         return float(np.dot([load.share for load in self.task.loads], self.damages))
 
     def peaks(self) -> list[tuple[int, float, float]]:
         """Return number of the load, position and logarithm of the largest pressure of every zone.
 
-        As of `Solution.max_pressure`, what is nearer than a half-width to an end without a limit does not count.
+        As for `Solution.max_pressure`, places within a half-width of singular ends do not count.
         """
         tops = []
         for number, solution in enumerate(self.solutions):
@@ -243,7 +244,7 @@ class DesignPoint:
 
     @cached_property
     def _reliefs(self) -> dict[tuple[int, int], Array]:
-        """What each variable of a profile changes of the separation at the strips of each load."""
+        """The change of the separation at the strips of each load with each variable of a profile."""
         reliefs = {}
         for k, variable in enumerate(self.task.variables):
             if ".profile" not in variable.path:
@@ -257,7 +258,7 @@ class DesignPoint:
         return reliefs
 
     def margins(self) -> Array:
-        """Return how far every limit is met under every load, over the limit; negative where it is not met."""
+        """Return the margin of every limit under every load, relative to the limit; negative if it is not met."""
         return np.array(
             [
                 sign * (float(QUANTITIES[limit.name].get(solution)) - bound) / abs(bound)
@@ -269,7 +270,7 @@ class DesignPoint:
 
     @property
     def spare(self) -> float:
-        """By how much the tightest limit, cap or bound of a free profile is met, over itself; infinite without any."""
+        """The smallest relative margin of all limits, caps and bounds of free profiles; infinite without any."""
         caps = [(cap - solution.max_pressure) / cap for solution, cap in self._capped()]
         forms = [margin for _, margins, _ in self.task.of_forms(self.x) for margin in margins.tolist()]
         return float(min((*self.margins(), *caps, *forms), default=math.inf))
@@ -292,7 +293,7 @@ class DesignPoint:
 
 
 def try_point(task: Task, x: Array, accuracy: float | None = None) -> DesignPoint | None:
-    """Return a point judged; None where the case is not allowed or has no solution."""
+    """Return the evaluation of a point; None if the case is not valid or has no solution."""
     try:
         return task.at(x, accuracy)
     except NonhertzError:

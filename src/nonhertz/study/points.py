@@ -1,4 +1,4 @@
-"""The rows of a plan: which values each has, and in which order they are solved."""
+"""The rows of a plan: their values, and the order in which they are solved."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ MOST_ROWS = 10_000_000
 
 @dataclass(frozen=True)
 class Points:
-    """The points of a plan: a grid of the values that are listed, times samples of what is distributed.
+    """The points of a plan: a grid of listed values, times samples of distributions.
 
-    Rows are numbered with the last axis changing fastest, the samples last of all. They are solved in an order in which
-    loads change fastest: rows of the same bodies follow one another, each similar to the one before.
+    Rows are numbered with the last axis changing fastest, samples being the last axis. They are solved in an order in
+    which loads change fastest: rows of the same bodies follow one another, each similar to the one before.
     """
 
-    paths: tuple[str, ...]  # what is varied: first what has a list of values, then what is distributed
+    paths: tuple[str, ...]  # varied paths: first those with lists of values, then those with distributions
     lists: tuple[tuple[Any, ...], ...]  # the values of each of the first
     distributions: tuple[Distribution, ...]  # those of the others
     sampling: Sampling  # how samples are drawn
@@ -45,7 +45,7 @@ class Points:
             If nothing is varied, or there are too many rows.
         """
         if not plan.spreads:
-            remedy = "say what a path of the case runs over, such as load.load=5kN:40kN:8"
+            remedy = "give values for a path of the case, such as load.load=5kN:40kN:8"
             raise InputError("over", {}, "vary something", remedy)
         listed = {path: spread for path, spread in plan.spreads.items() if not isinstance(spread, Distribution)}
         drawn = {path: spread for path, spread in plan.spreads.items() if isinstance(spread, Distribution)}
@@ -69,7 +69,7 @@ class Points:
 
     @cached_property
     def _order(self) -> tuple[int, ...]:
-        """The axes as they are solved, from the one that changes slowest."""
+        """The axes in the order of solving, the one that changes slowest first."""
         axes = range(len(self.shape))
         return tuple(sorted(axes, key=lambda axis: axis < len(self.lists) and self.paths[axis].startswith("load.")))
 

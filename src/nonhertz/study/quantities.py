@@ -1,4 +1,4 @@
-"""The numbers that a row of a study can hold, of a contact or of a bearing."""
+"""The quantities that a row of a study can have, for a contact or for a bearing."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from nonhertz.model.body import BODIES
 from nonhertz.result.quantities import QUANTITIES, Quantity
 from nonhertz.result.solution import Solution
 
-LIFE_MODEL = "iso-16281"  # where a case names none: it needs milliseconds, volumes take seconds
+LIFE_MODEL = "iso-16281"  # if a case names none: it takes milliseconds, volume models take seconds
 
 
 def life_of(case: Case, solved: Solution | Spectrum, name: str) -> Life:
-    """Return the life of one body by the model of a name: of the one that has a raceway, else of body a."""
+    """Return the life of one body by a model: of the body with a raceway, else of body a."""
     (model,) = case.life.build_models((name,))
     options = {"rollers": case.life.rollers, "contact_angle": case.life.contact_angle}
     lives = [assess(solved, model, body=body, **options)[0] for body in BODIES]  # type: ignore[arg-type]
@@ -39,9 +39,9 @@ class SolvedContact:
 
     @cached_property
     def life(self) -> Life:
-        """The life of one body by the first model of the case: of the one that has a raceway, else of body a.
+        """The life of one body by the first model of the case: of the body with a raceway, else of body a.
 
-        Under a spectrum, if the case has one.
+        It is the life under the spectrum, if the case has one.
         """
         case = self.case.life
         solved: Solution | Spectrum = self.solution
@@ -51,7 +51,7 @@ class SolvedContact:
 
 
 def number_of(quantity: Quantity, solved: SolvedContact | SolvedBearing) -> float:
-    """Return a number of a row; nan where there is none, such as a life without a rating."""
+    """Return a number of a row; NaN if there is none, such as a life without a rating."""
     try:
         return float(quantity.get(solved))
     except NonhertzError:
@@ -80,7 +80,7 @@ def _error(solved: SolvedContact) -> float:
 
 #: All numbers of a contact, by name.
 OF_CONTACT: Mapping[str, Quantity] = _of_contact()
-#: Those of a row where none are named.
+#: The default quantities of a row.
 USUAL_OF_CONTACT = (
     *("approach", "tilt", "load", "moment", "max_pressure", "max_pressure_y", "max_half_width", "contact_length"),
     *("error", "warnings"),
@@ -92,12 +92,12 @@ USUAL_OF_BEARING = (
 
 
 def known_quantities(*, bearing: bool) -> Mapping[str, Quantity]:
-    """Return all numbers that a row can hold, by name."""
+    """Return all quantities that a row can have, by name."""
     return OF_BEARING if bearing else OF_CONTACT
 
 
 def choose_quantities(names: Iterable[str], *, bearing: bool) -> tuple[Quantity, ...]:
-    """Return quantities by name, the usual ones if there are no names.
+    """Return quantities by name, or the default ones.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Rows of a study solved: values of parameters in, numbers or a sentence why there are none out.
+"""Solving rows of a study: from values of parameters to numbers, or to the reason why there are none.
 
-Rows of a contact that differ in nothing but what presses the bodies together share the contact, and are solved in one
-call of `nonhertz.solve_many`.
+Rows of a contact that differ only in load, approach, tilt or moment share the contact, and are solved in one call of
+`nonhertz.solve_many`.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ from nonhertz.verdict import Verdict, judge_contact
 Values = Mapping[str, Any]
 
 _NOTHING = ("load", "moment", "max_pressure", "max_half_width", "contact_length", "penetration", "error", "warnings")
-TOUCHING = 400  # places along the bodies at which they are looked at for their first touch, beside crests
+TOUCHING = 400  # positions along the bodies that are searched for their first touch, in addition to crests
 _PRESSED = tuple(f"load.{name}" for name in ("load", "approach", "tilt", "moment"))
 
 
 @dataclass(frozen=True)
 class Row:
-    """One row: numbers in the order in which they are asked for, or a sentence why there are none."""
+    """One row: numbers in the order of the quantities, or the reason why there are none."""
 
     numbers: tuple[float, ...]
     failure: str | None = None
@@ -47,33 +47,33 @@ class Row:
 
 @dataclass(frozen=True)
 class Work:
-    """What all rows of a study share, in a form that can be sent to other processes and machines."""
+    """The data shared by all rows of a study, in a form that can be sent to other processes and machines."""
 
     template: Template  # the case
     files: Mapping[str, bytes]  # contents of the files that the case names, for machines that do not have them
     names: tuple[str, ...]  # of the numbers asked for
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what other processes get: the names of quantities, which hold functions that cannot be sent."""
+        """Return the state for other processes: names of quantities, whose functions cannot be sent."""
         return {name: value for name, value in vars(self).items() if name != "quantities"}
 
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
-        """The numbers asked for."""
+        """The requested quantities."""
         return choose_quantities(self.names, bearing=self.template.is_bearing)
 
     def rows(self, paths: Sequence[str], values: Sequence[Sequence[Any]]) -> list[Row]:
-        """Return rows solved.
+        """Return solved rows.
 
         Parameters
         ----------
         paths : sequence of str
-            What is varied.
+            The paths that are varied.
         values : sequence of sequences
-            For each row, the values of these.
+            Their values in each row.
         """
         named = [dict(zip(paths, row, strict=True)) for row in values]
-        # What strains the model is a column of its own.
+        # Strains of the model are in a column of their own.
         with without_accuracy_warnings(), self._template_and_files() as template:
             if template.is_bearing:
                 return [self._solve_alone(template, row) for row in named]
@@ -95,14 +95,14 @@ class Work:
         return [solved[number] for number in range(len(values))]
 
     def _solve_contact(self, template: Template, values: Sequence[Values]) -> list[Row]:
-        """Return rows of one contact, pressed together in several ways."""
+        """Return rows of one contact under several loads."""
         try:
             case = template.case(values[0])
             assert isinstance(case, Case)
             prescriptions = [_prescription_of(case, row) for row in values]
             return self._solve_together(case, prescriptions)
         except NonhertzError:
-            pass  # solved alone, those that are refused get a sentence of their own
+            pass  # solved one by one, so that each refused row has its own reason
         return [self._solve_alone(template, row) for row in values]
 
     def _solve_together(self, case: Case, pressing: Sequence[Prescription]) -> list[Row]:
@@ -117,7 +117,7 @@ class Work:
             if not converged[number]:
                 rows.append(self._failed_row(solutions.failures[number]))
                 continue
-            # Whole solutions take as long as solving: only where a number needs one.
+            # Making whole solutions takes as long as solving: only if a quantity needs one.
             solved = (
                 SolvedContact(replace(case, prescribed=prescribed), solutions[number])
                 if len(at_once) < len(self.quantities)
@@ -154,12 +154,12 @@ class Work:
         return Row(tuple(number_of(quantity, solved) for quantity in self.quantities))
 
     def _touching_row(self, template: Template, values: Values) -> Row:
-        """Return the row of bodies that just touch: the limit of ever smaller loads."""
+        """Return the row of bodies that just touch: the limit of vanishing load."""
         try:
             case = template.case({path: value for path, value in values.items() if path != LOAD})
             assert isinstance(case, Case)
             if case.prescribed.moment:
-                condition = "be zero where there is no load"
+                condition = "be zero without a load"
                 raise InputError("moment", case.prescribed.moment, condition, "leave it out, or give a load")
             tilt = case.prescribed.tilt or 0.0
             contact = case.contact
@@ -177,13 +177,13 @@ class Work:
 
     @contextlib.contextmanager
     def _template_and_files(self) -> Iterator[Template]:
-        """Give the template where its files are; with copies of them where they are not."""
+        """Yield the template, with copies of its files on machines that do not have them."""
         if all((self.template.path.parent / name).exists() for name in self.files):
             yield self.template
             return
         with tempfile.TemporaryDirectory() as folder:
             for name, content in self.files.items():
-                # A file beside the case's folder is not copied: it is then missed in a sentence of its own.
+                # A file outside the case's folder is not copied; its absence is reported in an error.
                 if not Path(name).is_absolute() and ".." not in Path(name).parts:
                     Path(folder, name).parent.mkdir(parents=True, exist_ok=True)
                     Path(folder, name).write_bytes(content)
@@ -191,7 +191,7 @@ class Work:
 
 
 def _solve(template: Template, values: Values) -> SolvedBearing | SolvedContact:
-    """Return a row solved alone; raises what reading and solving do."""
+    """Return a row solved by itself; raises the errors of reading and solving."""
     case = template.case(values)
     if isinstance(case, BearingCase):
         return SolvedBearing(case, case.solve())
@@ -199,12 +199,12 @@ def _solve(template: Template, values: Values) -> SolvedBearing | SolvedContact:
 
 
 def _prescription_of(case: Case, values: Values) -> Prescription:
-    """Return what presses the bodies of a row together.
+    """Return load or approach, and tilt or moment, of a row.
 
     Raises
     ------
     InputError
-        If that is out of range.
+        If one of them is out of range.
     """
     pressing = {path.partition(".")[2]: value for path, value in values.items() if path in _PRESSED}
     return Prescription(**case.prescribed.keywords | pressing)

@@ -23,14 +23,14 @@ from nonhertz.study.objective import PRESSURE, SEARCHING, DesignPoint, Task, try
 
 Array = NDArray[np.float64]
 
-# Steps of a search, the change of the goal at which it ends, and how often it is begun again.
+# Steps of a search, the change of the goal at which it ends, and the number of restarts.
 STEPS, CLOSE, AGAIN = 20, 1e-4, 2
-_BAD = 10.0  # logarithm, of a point that is not allowed
+_BAD = 10.0  # logarithm of the goal at an invalid point
 
 
 @dataclass(frozen=True)
 class Search:
-    """How a search has ended."""
+    """The end of a search."""
 
     begun: Array
     ended: Array
@@ -47,7 +47,7 @@ def search_from(job: tuple[int, Task, Array]) -> Search:
 
 
 class _Searcher:
-    """A search, which remembers the point that it looked at last and the best one."""
+    """A search, with the last point evaluated and the best one."""
 
     def __init__(self, task: Task) -> None:
         self._task = task
@@ -57,7 +57,7 @@ class _Searcher:
         self._accuracy: float | None = None
 
     def run(self, begun: Array) -> Search:
-        """Return how it ends."""
+        """Return the end of the search."""
         x = begun
         for accuracy in (SEARCHING, None) if self._task.is_automatic else (None,):
             self._accuracy, self._best, self._at = accuracy, None, (b"", None)
@@ -84,7 +84,7 @@ class _Searcher:
             x = self._best[1]
             if done:
                 break
-            # A search that has lost its way begins again from the best point, with nothing learnt of the curvature.
+            # A search that fails is restarted from the best point, without its approximation of the curvature.
         return x
 
     def _evaluate(self, x: Array) -> DesignPoint | None:
@@ -98,7 +98,7 @@ class _Searcher:
 
     def _note(self, judged: DesignPoint) -> None:
         margin, value = judged.spare, judged.value
-        # A point that meets all limits is better than any that does not; noise of 1e-6 counts as met.
+        # A point that meets all limits is better than any that does not; 1e-6 is tolerated as noise.
         rank = (min(margin + 1e-6, 0.0), -value)
         if self._best is None or rank > (min(self._best[2] + 1e-6, 0.0), -self._best[0]):
             self._best = value, judged.x.copy(), margin
@@ -120,7 +120,7 @@ class _Searcher:
         height = task.zones * len(task.loads)
 
         def spare(judged: DesignPoint, t: float) -> Array:
-            """Return by how much the logarithm of each peak stays below that of its cap, or of the largest one."""
+            """Return the logarithm of its cap, or of the largest peak, less that of each peak."""
             caps = [t + scale if (cap := task.cap(n)) is None else math.log(cap) for n in range(len(task.loads))]
             return np.array([caps[number] - peak for number, _, peak in judged.peaks()])
 
@@ -146,7 +146,7 @@ class _Searcher:
         return _minimize(lambda z: float(z[-1]), lambda z: only_last, np.append(begun, 0.0), 1, constraints)
 
     def _limits(self, count: int, more: int) -> list[dict[str, Any]]:
-        """Return the constraints, of variables and of so many more unknowns."""
+        """Return the constraints on variables and on ``more`` further unknowns."""
         task, constraints = self._task, []
 
         def of_forms(z: Array) -> Array:
@@ -197,7 +197,7 @@ def _minimize(
     free: int,
     constraints: Sequence[Mapping[str, Any]],
 ) -> bool:
-    """Look for the least of a goal, whose last so many unknowns have no bounds; return whether that came to an end."""
+    """Minimise a goal, whose last ``free`` unknowns have no bounds; return whether the search converged."""
     from scipy.optimize import minimize
 
     bounds = [(0.0, 1.0)] * (begun.size - free) + [(None, None)] * free

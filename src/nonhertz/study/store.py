@@ -1,8 +1,8 @@
-"""The rows of a study on disk, in a form that survives being stopped at any moment.
+"""The rows of a study on disk, in a form that survives an interruption at any moment.
 
-A database takes portions of rows, each whole or not at all, together with the note that it is there. What is missing
-after a crash is therefore known, and nothing is in it twice. It also holds what the rows were made from: a study that
-has changed since is refused, with what differs.
+A database stores portions of rows, each completely or not at all, together with a record of the portion. So the rows
+that are missing after a crash are known, and none is stored twice. It also contains the origin of the rows: a study
+that has changed since is refused, and the differences are named.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nonhertz.study.rows import Row
 
 FILE = "rows.sqlite3"
 _DIGEST = re.compile('"[0-9a-f]{64}"')
-# What SQLite reports of a place that cannot be written to; anything else that it reports is damage.
+# Errors of SQLite for a directory that cannot be written to; all other errors mean damage.
 _PLACE = ("SQLITE_IOERR", "SQLITE_READONLY", "SQLITE_CANTOPEN", "SQLITE_PERM", "SQLITE_AUTH")
 _TABLES = """
 create table made_from (place text primary key, value text not null) without rowid;
@@ -41,17 +41,17 @@ class Store:
     Parameters
     ----------
     directory : Path or None
-        Where they are kept; created if it does not exist. None keeps them in memory.
+        The directory of the rows; created if it does not exist. None keeps them in memory.
     made_from : mapping
-        What decides the rows: the case, what is varied, the numbers asked for. Anything that JSON can hold.
+        Origin of the rows, as JSON values: the case, the varied inputs, the quantities.
     paths, names : sequence of str
-        What is varied, and the numbers of a row.
+        Varied paths, and quantities of a row.
 
     Raises
     ------
     InputError
-        If the directory holds the rows of something else or a damaged file, is in use, or cannot be written to. Every
-        method raises the same where the disk is full or the file turns out to be damaged.
+        If the directory has rows of another plan or a damaged file, is in use, or cannot be written to. Every method
+        raises the same error if the disk is full or the file is damaged.
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class Store:
             raise self._changed_error(different, before, made_from)
 
     def _check(self) -> None:
-        """Raise what SQLite raises of a damaged file if this one is."""
+        """Raise the error of SQLite for a damaged file if this one is damaged."""
         answer = self._read("pragma quick_check(1)")[0][0]
         other = " or ".join(f"typeof(n{k}) not in ('real', 'null')" for k in range(len(self.names)))
         if answer != "ok" or self._read(f"select 1 from rows where {other} limit 1"):
@@ -115,21 +115,21 @@ class Store:
                 yield self._rows
                 self._rows.commit()
             except BaseException:
-                if self._rows.in_transaction:  # SQLite has ended it where the disk is full
+                if self._rows.in_transaction:  # SQLite has ended it if the disk is full
                     self._rows.rollback()
                 raise
 
     def release(self) -> None:
-        """Let others use the directory; what is there can still be read."""
+        """Let others use the directory; the stored rows can still be read."""
         self._read("pragma locking_mode = normal")
         self._read("select count(*) from portions")
 
     def portions(self) -> set[int]:
-        """Return the numbers of the portions that are there."""
+        """Return the numbers of the stored portions."""
         return {number for (number,) in self._read("select number from portions")}
 
     def add(self, portion: int, numbers: Iterable[int], values: Iterable[Sequence[Any]], rows: Iterable[Row]) -> None:
-        """Keep the rows of a portion; one that is there already is left as it is."""
+        """Store the rows of a portion; one that is already stored is left unchanged."""
         entries = [
             (number, *of_row, *(None if math.isnan(value) else value for value in row.numbers), row.failure)
             for number, of_row, row in zip(numbers, values, rows, strict=True)
@@ -159,7 +159,7 @@ class Store:
         return dict(self._read("select number, failure from rows where failure is not null order by number"))
 
     def column(self, name: str) -> NDArray[Any]:
-        """Return a column of all rows in the order of their numbers; nan where a row has no number."""
+        """Return a column of all rows in the order of their numbers; NaN where a row has no number."""
         place = f"v{self.paths.index(name)}" if name in self.paths else f"n{self.names.index(name)}"
         values = [value for (value,) in self._read(f"select {place} from rows order by number")]
         if any(isinstance(value, str) for value in values):
@@ -225,16 +225,16 @@ def _refuse_damage(directory: Path | None) -> Iterator[None]:
         yield
     except sqlite3.ProgrammingError:  # ours
         raise
-    except (OSError, sqlite3.Error, UnicodeDecodeError) as error:  # the last of a damaged schema
+    except (OSError, sqlite3.Error, UnicodeDecodeError) as error:  # the last from a damaged schema
         kind = getattr(error, "sqlite_errorname", "")
         reason = " ".join(str(getattr(error, "strerror", None) or error).lower().split())
         condition, remedy = f"be a directory to write to ({reason})", "choose another"
         if kind.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
-            condition = "be a directory to write to (a study that is under way uses it)"
-            remedy = "wait until it has ended, or choose another"
+            condition = "be a directory to write to (a running study uses it)"
+            remedy = "wait until it ends, or choose another"
         elif kind.startswith("SQLITE_FULL"):
             condition = "be a directory with space for more rows (no space left on device)"
-            remedy = "make room and repeat: the rows so far are kept"
+            remedy = "free some space and repeat: the rows so far are kept"
         elif not isinstance(error, OSError) and not kind.startswith(_PLACE):
             condition = f"hold an intact {FILE} (the store is damaged: {shorten(reason)})"
             remedy = f"delete {FILE} to solve all rows anew, or choose another directory"

@@ -1,4 +1,4 @@
-"""The sweep: a case or a bearing solved for all points of a plan, on disk as it goes."""
+"""The sweep: a case or a bearing solved for all points of a plan, and saved on disk meanwhile."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ from nonhertz.verdict import Verdict, judge_rows
 if TYPE_CHECKING:
     import pandas as pd
 
-# Rows in a portion, which is solved by one process and kept at once: what is lost when a study is stopped.
-OF_CONTACTS, OF_BEARINGS = 256, 16  # of so few in all, other processes would take longer to start
-PORTIONS = 64  # at least, of a study of that many rows: for several processes to share
-WORTH_TIMING, TIMED = 16, 0.3  # rows from which their time is measured first, and how long that takes at least [s]
+# Rows in a portion, which one process solves and which is saved at once: the most that is lost when a study is stopped.
+OF_CONTACTS, OF_BEARINGS = 256, 16  # for fewer rows, other processes would take longer to start
+PORTIONS = 64  # least number of portions, for several processes to share, in a study of that many rows
+WORTH_TIMING, TIMED = 16, 0.3  # rows above which their time is measured first, and the least duration of that [s]
 REASONS = 5
 SAMPLE = "sample"  # the level of a data frame that counts samples
 _FEW_VALUES = 6
@@ -54,17 +54,17 @@ Portion = tuple[int, list[int], list[tuple[Any, ...]]]  # its number, those of i
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a study has come, as it is passed to ``callback``.
+    """The progress of a study, which is passed to ``callback``.
 
     Attributes
     ----------
     done, total : int
-        Rows that are there, and all.
+        Number of solved rows, and of all rows.
     resumed : int
         Rows of an earlier run, from which it continues.
     seconds : float or None
-        Before the first row only: about how long those that are missing take, by a few of them; None if there are few,
-        or a cluster solves them.
+        Only before the first row: estimated time of the missing rows, measured on a few of them; None if there are few,
+        or on a cluster.
     """
 
     done: int
@@ -79,13 +79,13 @@ class Sweep(HasHtml):
     Attributes
     ----------
     plan : Plan
-        What they are of.
+        The plan of the rows.
     paths : tuple of str
-        What is varied.
+        The paths that are varied.
     quantities : tuple of Quantity
-        The numbers of a row.
+        The quantities in a row.
     shape : tuple of int
-        Number of values of each path that has a list, and of samples.
+        Number of values of each path with a list, and of samples.
     """
 
     def __init__(self, plan: Plan, points: Points, quantities: tuple[Quantity, ...], store: Store) -> None:
@@ -111,13 +111,13 @@ class Sweep(HasHtml):
 
     @property
     def complete(self) -> bool:
-        """Whether all rows are there."""
+        """Whether all rows are solved."""
         return len(self._store) == len(self)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        """Return a path's values or a quantity of all rows, in its base unit; nan where a row has failed.
+        """Return the values of a path or a quantity for all rows, in its base unit; NaN where a row has failed.
 
-        In the sweep's shape once all rows are there, until then in a row of those that are.
+        The shape is that of the sweep once all rows are solved; until then it is one-dimensional.
 
         Raises
         ------
@@ -129,23 +129,23 @@ class Sweep(HasHtml):
 
     @property
     def given(self) -> frozenset[str]:
-        """Names of what the case or the plan gives of the load, such as load and tilt: they are no results."""
+        """Names of load quantities that the case or the plan gives, such as load and tilt: they are not results."""
         varied = {path.partition(".")[2] for path in self.paths if path.startswith("load.")}
         names = varied.union(self.plan.template.document.get("load", {}))
         return frozenset(names if "moment" in names else names | {"tilt"})
 
     @property
     def assumed(self) -> tuple[Finding, ...]:
-        """What is assumed where the case leaves something out that decides results, and that is not varied."""
+        """The assumptions for inputs that the case leaves out, that decide results, and that are not varied."""
         varied = [f"{path} " for path in self.paths]
         notes = ((note, f"{dict(note.numbers)['keys']} ".replace(",", " ")) for note in self.plan.case.assumed)
         return tuple(note for note, keys in notes if not any(path in keys for path in varied))
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether the rows bear their loads: the verdict on the one with the largest pressure, solved once more.
+        """Whether limits are met: the verdict on the row with the largest pressure, which is solved once more.
 
-        For rows with other materials, on the worst of each. None if rows are missing, or have no largest pressure.
+        With several materials, the worst verdict on such a row of each. None if rows are missing, or have no pressure.
         """
         names = {quantity.name for quantity in self.quantities}
         if "max_pressure" not in names or not self.complete:
@@ -163,13 +163,13 @@ class Sweep(HasHtml):
 
     @property
     def failures(self) -> dict[int, str]:
-        """Why rows have failed, by their number, counted with the last axis changing fastest."""
+        """The reasons why rows have failed, by number of the row, with the last axis changing fastest."""
         return self._store.failed()
 
     def reasons(self) -> list[tuple[str, int, int]]:
-        """Return the commonest reasons why rows have failed: sentence, how many rows, the first of them.
+        """Return the commonest reasons why rows have failed: sentence, number of rows, the first of them.
 
-        Rows keep their sentences in SI units: for those who read others, the first is solved once more.
+        Stored sentences are in SI units: for other display units, the first row is solved once more.
         """
         failures = self._store.failures(REASONS)
         if current_units() is SI:
@@ -178,13 +178,13 @@ class Sweep(HasHtml):
         return [(why if why == lost else self._reason(first, why), times, first) for why, times, first in failures]
 
     def _reason(self, row: int, failure: str) -> str:
-        """Return why a row fails, in the units that are read."""
+        """Return why a row fails, in the display units."""
         (again,) = _work(self.plan, self.quantities).rows(self.paths, self._points.values([row]))
         return again.failure or failure
 
     @property
     def failed(self) -> int:
-        """How many rows have failed."""
+        """The number of failed rows."""
         return self._store.failed_count()
 
     def extremes(self, name: str) -> tuple[float, float] | None:
@@ -251,11 +251,11 @@ class Sweep(HasHtml):
         Parameters
         ----------
         folder : str or Path
-            Where to; created if it does not exist.
+            Directory for the files; created if it does not exist.
         draw_more : callable
             Writes further files into the folder passed to it.
         excel : bool
-            Whether to write them as rows.xlsx, too, with what was varied and the case on a second sheet.
+            Whether to write rows.xlsx as well, with the varied inputs and the case on a second sheet.
 
         Raises
         ------
@@ -304,21 +304,20 @@ def sweep(
     plan : Plan or Case or BearingCase or str or Path
         A plan, or the file of one; or a case, with ``over``.
     over : mapping, optional
-        What each path of the case's file runs over, as in `Plan`.
+        The values of each path of the case's file, as in `Plan`.
     samples : Sampling or int, optional
-        How samples of distributions are drawn, as in `Plan`, or how many.
+        How samples of distributions are drawn, as in `Plan`, or their number.
     quantities : tuple of str, optional
-        Names of the results, such as ``("max_pressure", "life")``; by default those of the plan, or the usual
-        ones.
+        Names of the results, such as ``("max_pressure", "life")``; by default those of the plan, or the usual ones.
     out : str or Path, optional
-        Directory for the rows, which are kept as they are solved: a sweep that was stopped, even by a crash, goes on
-        where it was when it is called again. Without one they are kept in memory.
+        Directory for the rows, which are saved as they are solved: a sweep that was stopped, even by a crash, continues
+        when it is called again. Without a directory they are kept in memory.
     workers : int, optional
-        Number of processes; all cores if left out. The results do not depend on it.
+        Number of processes; all cores by default. The results do not depend on it.
     scheduler : str, optional
         Address of a Dask scheduler whose workers solve the rows in place of processes on this machine.
     callback : callable, optional
-        Called with a `Progress` before the first row and whenever some more rows are solved.
+        Called with a `Progress` before the first row and whenever more rows are solved.
 
     Returns
     -------
@@ -329,10 +328,10 @@ def sweep(
     CaseError
         If a file has mistakes.
     InputError
-        If a path leads nowhere, what it runs over is empty or not allowed, or ``out`` holds the rows of another plan.
-        Rows that fail do not stop the others: see `Sweep.failures`.
+        If a path does not exist, its values are missing or invalid, or ``out`` has the rows of another plan. Rows that
+        fail do not stop the others: see `Sweep.failures`.
     Interrupted
-        On Ctrl-C. Its ``solutions`` is the `Sweep` with the rows that are there.
+        On Ctrl-C. Its ``solutions`` is the `Sweep` with the rows solved so far.
     ImportError
         If a scheduler is given and dask.distributed is not installed.
 
@@ -406,9 +405,9 @@ def _work(plan: Plan, quantities: tuple[Quantity, ...]) -> Work:
 
 
 def _seconds_per_row(solve: Callable[[Portion], object], portion: Portion) -> float:
-    """Return how long a row takes, by the first of a portion: twice as many each time, until that can be measured."""
+    """Return the time of a row, from the first rows of a portion: twice as many each time, until it can be measured."""
     number, rows, values = portion
-    solve((number, rows[:1], values[:1]))  # what it loads is not counted
+    solve((number, rows[:1], values[:1]))  # loading modules is not counted
     count, took = 1, 0.0
     while True:
         begun = time.perf_counter()
@@ -432,7 +431,7 @@ def make_plan(
     quantities: tuple[str, ...] | None,
     table: str = "over",
 ) -> Plan:
-    """Return the plan that is meant, of the table of a file that says what is varied, with what is given beside it."""
+    """Return a plan from a plan, its file, or a case; arguments that are given replace its parts."""
     if isinstance(plan, str | Path):
         plan = read_plan(plan, table)
     if samples is not None and not isinstance(samples, Sampling):
@@ -446,7 +445,7 @@ def make_plan(
 
 
 def _describe_origin(plan: Plan, points: Points, numbers: tuple[Quantity, ...], size: int) -> dict[str, Any]:
-    """Return what decides the rows, and in which portions they are kept."""
+    """Return the origin of the rows, and the size of their portions."""
     return {
         "nonhertz": __version__,
         "case": plan.template.document,
@@ -462,7 +461,7 @@ def _describe_origin(plan: Plan, points: Points, numbers: tuple[Quantity, ...], 
 
 
 def _shorten_list(values: tuple[Any, ...]) -> Any:
-    """Return a list of values, a long one in brief: what of it differs is then told in a few words."""
+    """Return a list of values, or a summary of a long one, so that differences can be named in a few words."""
     if len(values) <= _FEW_VALUES:
         return list(values)
     whole = sha256(json.dumps(values).encode()).hexdigest()

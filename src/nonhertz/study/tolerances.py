@@ -1,4 +1,4 @@
-"""Tolerances: how results are distributed when dimensions are, and which dimension matters.
+"""Tolerances: distributions of results from those of dimensions, and the influence of each dimension.
 
 Samples are drawn in Saltelli's arrangement, so that the same rows give quantiles and Sobol's indices. Quantiles are of
 the samples a and b of its blocks, with the interval in which the true quantile lies with 95 % certainty whatever the
@@ -55,10 +55,11 @@ Array = NDArray[np.float64]
 PROBABILITIES = (0.01, 0.5, 0.99)
 FEWEST_BLOCKS = 8  # of indices: fewer cannot be resampled
 SEED, RESAMPLED = 1, 400  # of resampling
-#: What a study is made for where it names no quantities: pressure and life.
+#: The default results of a study: pressure and life.
 MAIN = ("max_pressure", "life", "relative_life", "basic_life", "reference_life", "modified_life", "static_safety")
-_NO_RESULTS = {"error", "warnings", "max_pressure_y"}  # how good a row is, and a place: nobody tightens for those
-WORTH_TIGHTENING = 0.02  # of the variance, in total: a smaller share is not felt
+# The quality of a row, and a position: not reasons to tighten a tolerance.
+_NO_RESULTS = {"error", "warnings", "max_pressure_y"}
+WORTH_TIGHTENING = 0.02  # of the variance, in total: smaller shares are negligible
 
 
 @dataclass(frozen=True)
@@ -70,9 +71,9 @@ class Quantile:
     probability : float
         The probability, above 0 and below 1.
     value : float
-        The estimate; nan without samples.
+        The estimate; NaN without samples.
     low, high : float
-        Between these the true value lies with 95 % certainty; infinite where there are too few samples to say.
+        Its 95 % confidence interval; infinite with too few samples.
     """
 
     probability: float
@@ -83,17 +84,17 @@ class Quantile:
 
 @dataclass(frozen=True)
 class Index:
-    """How much of the variance of a result is due to one parameter.
+    """Sobol's indices of one parameter: its contribution to the variance of a result.
 
     Attributes
     ----------
     path : str
         The parameter.
     first, total : float
-        The share of the variance that would be gone if it were fixed, and the share that would be left if all others
-        were; from 0 to 1.
+        The share of the variance that would vanish if the parameter were fixed, and the share that would remain if all
+        others were fixed; from 0 to 1.
     first_low, first_high, total_low, total_high : float
-        Between these they lie with 95 % certainty.
+        Their 95 % confidence intervals.
     """
 
     path: str
@@ -106,17 +107,17 @@ class Index:
 
 
 class Tolerance(HasHtml):
-    """How the results of a plan are distributed.
+    """The distributions of the results of a plan.
 
     Attributes
     ----------
     sweep : Sweep
         The samples and their rows.
     limits : tuple of Limit
-        What quantities are to stay within.
+        Limits of quantities.
     main : tuple of Quantity
-        The results that matter: those named by the plan and those with a limit; without names pressures and lives, or
-        all if rows have none.
+        The results to study: those named by the plan and those with a limit; by default pressures and lives, or all if
+        rows have none.
     """
 
     def __init__(self, sweep: Sweep, limits: tuple[Limit, ...] = (), names: Sequence[str] = ()) -> None:
@@ -138,12 +139,12 @@ class Tolerance(HasHtml):
 
     @property
     def independent(self) -> NDArray[np.intp]:
-        """The numbers of the rows that are independent samples: those whose values are drawn for them alone."""
+        """The numbers of the rows that are independent samples, all of whose values are drawn anew."""
         per_block = len(self.sweep.paths) + 2
         return np.arange(len(self.sweep)).reshape(-1, per_block)[:, [0, -1]].ravel()
 
     def samples(self, name: str) -> Array:
-        """Return a quantity of all independent samples, nan where a row has failed.
+        """Return a quantity of all independent samples, NaN where a row has failed.
 
         Raises
         ------
@@ -153,7 +154,7 @@ class Tolerance(HasHtml):
         return np.asarray(self.sweep[name], dtype=float)[self.independent]
 
     def quantiles(self, name: str, probabilities: ArrayLike = PROBABILITIES) -> tuple[Quantile, ...]:
-        """Return quantiles of a quantity, of the rows that have not failed.
+        """Return quantiles of a quantity over the rows that have not failed.
 
         Parameters
         ----------
@@ -177,23 +178,23 @@ class Tolerance(HasHtml):
 
     @property
     def results(self) -> tuple[Quantity, ...]:
-        """The quantities for which tolerances are ranked: not what the case gives, such as a tilt, nor places."""
+        """The quantities for which tolerances are ranked: not given quantities, such as a tilt, nor positions."""
         none = self.sweep.given | _NO_RESULTS
         return tuple(quantity for quantity in self.sweep.quantities if quantity.name not in none)
 
     @cached_property
     def capabilities(self) -> tuple[Capability, ...]:
-        """How the independent samples stand against the limits."""
+        """The independent samples compared with the limits."""
         return tuple(side for limit in self.limits for side in capabilities(limit, self.samples(limit.name)))
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether all samples stay within the limits, and the rows bear their loads."""
+        """Whether all samples are within the limits, and limits of materials are met."""
         beyond, of_rows = [], self.sweep.verdict
         for side in self.capabilities:
             if side.beyond:
                 quantity = known_quantities(bearing=self.sweep.plan.template.is_bearing)[side.quantity]
-                words = "Of {samples} samples {beyond} are beyond the limit of the {label}, {kind} {limit:.6g}."
+                words = "{beyond} of {samples} samples are beyond the limit of the {label}, {kind} {limit:.6g}."
                 numbers = {"samples": side.samples, "beyond": side.beyond, "limit": quantity.amount(side.limit)}
                 beyond.append(finding("beyond-limit", words, label=quantity.label, kind=side.kind, **numbers))
         if not beyond:
@@ -201,7 +202,7 @@ class Tolerance(HasHtml):
         return Verdict(Level.NOT_MET, (*beyond, *(of_rows.findings if of_rows else ())))
 
     def indices(self, name: str) -> tuple[Index, ...]:
-        """Return how much of a quantity's variance is due to each parameter, the largest total first.
+        """Return Sobol's indices of all parameters for a quantity, the largest total first.
 
         Blocks with a row that has failed are left out. Empty if nothing varies, or fewer than eight blocks are left.
 
@@ -222,8 +223,9 @@ class Tolerance(HasHtml):
     def tightened_first(self) -> Mapping[str, tuple[str, ...]]:
         """For each result, the parameters whose tolerances to tighten first; results without any are left out.
 
-        That of the largest total index, and those that cannot be told from it: whose intervals reach its estimate.
-        Loads are no tolerances, and what has less than 2 % of the variance is not worth tightening.
+        These are the one with the largest total index, and those that cannot be distinguished from it, because their
+        intervals reach its estimate. Loads are not tolerances, and parameters with less than 2 % of the variance are
+        left out.
         """
         first = {}
         for quantity in self.results:
@@ -234,7 +236,7 @@ class Tolerance(HasHtml):
 
 
 def is_operating_load(path: str) -> bool:
-    """Return whether a path is of what a machine does to its bodies, which no drawing limits; a tilt is limited.
+    """Return whether a path is an operating load, which no drawing limits; a tilt is limited.
 
     Examples
     --------
@@ -260,7 +262,7 @@ def quantile(values: Array, probability: float) -> Quantile:
     if not values.size:
         return Quantile(probability, math.nan, -math.inf, math.inf)
     ordered, beyond = np.sort(values), 0.5 * (1.0 - CERTAINTY)
-    # Of n numbers, those below the quantile are binomial.
+    # The number of samples below the quantile is binomial.
     low, high = (int(binom.ppf(bound, values.size, probability)) for bound in (beyond, 1.0 - beyond))
     bounds = np.concatenate([[-np.inf], ordered, [np.inf]])
     value = float(np.quantile(ordered, probability, method="median_unbiased"))
@@ -317,7 +319,7 @@ def tolerance(
     scheduler: str | None = None,
     callback: Callable[[Progress], object] | None = None,
 ) -> Tolerance:
-    """Solve a case or a bearing for samples of its dimensions and loads, and find what they do to the results.
+    """Propagate distributions of the dimensions and loads of a case or a bearing to its results, by sampling.
 
     Parameters
     ----------
@@ -326,13 +328,13 @@ def tolerance(
     over : mapping, optional
         The distribution of each path of the case's file, such as ``{"body.a.diameter": "normal(nominal, 5 um)"}``.
     samples : int, optional
-        How many rows, at most: so many fill whole blocks of two more than there are parameters. By default those of
-        the plan, 2,000 if it does not say.
+        Largest number of rows; whole blocks have two more rows than there are parameters. By default that of the plan,
+        or 2,000.
     seed : int, optional
         The same seed draws the same samples.
     limits : mapping, optional
-        What quantities are to stay within, such as ``{"max_pressure": "at most 3800 MPa"}``; those of the plan if left
-        out. They become quantities of the rows.
+        Limits of quantities, such as ``{"max_pressure": "at most 3800 MPa"}``; by default those of the plan. Their
+        quantities are added to the rows.
     quantities, out, workers, scheduler, callback
         As in `nonhertz.sweep`.
 
@@ -359,7 +361,7 @@ def tolerance(
     """
     study = make_plan(plan, over, None, quantities, "tolerance").changed(limits=limits)
     if not study.spreads:
-        remedy = "say how a path of the case is distributed, such as 'load.load=normal(nominal,1kN)'"
+        remedy = "give the distribution of a path of the case, such as 'load.load=normal(nominal,1kN)'"
         raise InputError("over", {}, "vary something", remedy)
     for path, spread in study.spreads.items():
         if not isinstance(spread, Distribution):

@@ -1,8 +1,8 @@
-"""Who solves the portions of a study: this process, processes on this machine, or a Dask cluster.
+"""Executors for the portions of a study: this process, processes on this machine, or a Dask cluster.
 
-`Workers.portions` takes a function and what it is to be called with, and yields what it returns as it is found. A
-process that ends in the middle of a portion, for want of memory, say, costs no more than that portion's time: those
-that were under way are tried again one at a time, and only one that ends its process every time is given up.
+`Workers.portions` takes a function and its arguments, and yields results as they become available. If a process ends
+within a portion, for example for lack of memory, only the time of that portion is lost: portions that were being solved
+are tried again one at a time, and only one that ends its process every time is given up.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from nonhertz.errors import InputError, NonhertzError
 Item = TypeVar("Item")
 Answer = TypeVar("Answer")
 
-AHEAD = 3  # portions handed out per process: so few that memory stays flat
-ATTEMPTS = 2  # alone, of a portion that was under way when a process ended
+AHEAD = 3  # portions submitted per process: few, to limit memory
+ATTEMPTS = 2  # of a portion by itself that was being solved when a process ended
 CONNECTING = "20s"
 _ADDRESS = re.compile(r"(?:[a-z]+://)?[^\s/]+:\d+/?")
 _MOST = 61 if sys.platform == "win32" else sys.maxsize  # processes: Windows waits for no more at once
-# Linear algebra of one portion on one thread: the processes share the cores.
+# One thread for the linear algebra of a portion, since the processes share the cores.
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -55,7 +55,7 @@ class Workers:
     Raises
     ------
     InputError
-        If nothing answers there.
+        If nothing answers at the address.
     ImportError
         If dask.distributed is not installed.
     """
@@ -66,7 +66,7 @@ class Workers:
         self._client = None if scheduler is None else _connect(scheduler)
 
     def close(self) -> None:
-        """Let processes end, or leave the scheduler; its workers stay."""
+        """End the processes, or disconnect from the scheduler; its workers stay."""
         self._executor = None
         self._open.close()
         if self._client is not None:
@@ -75,7 +75,7 @@ class Workers:
     def portions(
         self, solve: Callable[[Item], Answer], items: Iterable[Item], processes: int
     ) -> Iterator[tuple[Item, Answer | LostError]]:
-        """Yield what is given with what is found of it, in the order in which it is found; one process is this one."""
+        """Yield items with their results, in the order of completion; one process means this one."""
         if self._client is None and processes == 1:
             yield from ((item, solve(item)) for item in items)
             return
@@ -96,7 +96,7 @@ class Workers:
             unfinished = bool(lost)
 
     def _start(self, processes: int) -> Executor:
-        """Return what runs processes, which is started once."""
+        """Return the executor of processes, which is started once."""
         if self._executor is None:
             made = _pool(processes) if self._client is None else self._client.get_executor(pure=False)
             self._executor = self._open.enter_context(made)
@@ -105,7 +105,7 @@ class Workers:
     def _flow(
         self, executor: Executor, solve: Callable[[Item], Answer], source: Iterator[Item], processes: int
     ) -> Iterator[tuple[Item, Future[Answer]]]:
-        """Yield what is given with its future as they finish, no more than a few for each process under way at a time.
+        """Yield items with their futures as they finish, with only a few submitted for each process at a time.
 
         Once processes have ended, nothing more is taken from the source.
         """
@@ -128,7 +128,7 @@ class Workers:
 
 
 def _run_in_units(units: str, solve: Callable[[Item], Answer], item: Item) -> Answer:
-    """Return what is found of something, its sentences in units of the process that asked."""
+    """Return the result for an item, with sentences in the units of the calling process."""
     with display_units(units):
         return solve(item)
 
@@ -138,7 +138,7 @@ def _connect(address: str) -> Any:
     from distributed import Client
 
     remedy = "give that of a running Dask scheduler, such as tcp://10.0.0.1:8786"
-    # The client has assertions, not sentences, for what is no address at all.
+    # The client has assertions, not sentences, for malformed addresses.
     if not isinstance(address, str) or not _ADDRESS.fullmatch(address):
         raise InputError("scheduler", address, "be the address of a scheduler, with a port", remedy)
     try:
@@ -150,9 +150,9 @@ def _connect(address: str) -> Any:
 
 @contextlib.contextmanager
 def _hide_script() -> Iterator[None]:
-    """Hide the script that runs from processes that start: they would run it, too, unless it is guarded against that.
+    """Hide the running script from new processes: they would run it as well, unless it is guarded against that.
 
-    What they are to call is in this package.
+    The functions that they call are in this package.
     """
     main = sys.modules["__main__"]
     hidden: dict[str, Any] = {name: vars(main)[name] for name in ("__file__", "__spec__") if name in vars(main)}
@@ -176,7 +176,7 @@ def _submit(executor: Executor, solve: Callable[[Item], Answer], item: Item) -> 
 
 @contextlib.contextmanager
 def _ignore_interrupts() -> Iterator[None]:
-    """Let processes that are started ignore Ctrl-C from the beginning: it would end them while they import."""
+    """Let new processes ignore Ctrl-C from the beginning: it would end them while they import."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -188,7 +188,7 @@ def _ignore_interrupts() -> Iterator[None]:
 
 
 def _run_alone(solve: Callable[[Item], Answer], item: Item) -> Answer | LostError:
-    """Return what a process of its own finds."""
+    """Return the result from a process of its own."""
     for _ in range(ATTEMPTS):
         with _pool(1) as pool, contextlib.suppress(BrokenProcessPool):
             return _submit(pool, solve, item).result()
@@ -197,7 +197,7 @@ def _run_alone(solve: Callable[[Item], Answer], item: Item) -> Answer | LostErro
 
 @contextlib.contextmanager
 def _pool(workers: int) -> Iterator[ProcessPoolExecutor]:
-    """Give processes that end with this one, however it ends."""
+    """Yield processes that end with this one, however it ends."""
     before = {name: os.environ.get(name) for name in _THREADS}
     os.environ.update({name: "1" for name in _THREADS if before[name] is None})
     # Forked processes would inherit the threads' locks.
@@ -213,7 +213,7 @@ def _pool(workers: int) -> Iterator[ProcessPoolExecutor]:
 
 
 def _end_with_the_parent() -> None:
-    """End when the parent ends, and leave Ctrl-C to it: processes of a killed one would wait for work for ever."""
+    """End when the parent ends, and leave Ctrl-C to it: otherwise processes of a killed parent would wait forever."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
 

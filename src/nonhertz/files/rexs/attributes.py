@@ -1,4 +1,4 @@
-"""Which attribute of REXS is which key of a bearing file or which result; reader, writer and reference are made of it.
+"""The table of REXS attributes and the keys of bearing files and results, for reader, writer and reference.
 
 REXS has u along the axis, v towards the first roller and w; here these are x, y and z.
 """
@@ -23,14 +23,14 @@ _COMPONENTS: Final = {
     "bearing": BEARING, "row": ROW, "roller": ROLLER, "contact": CONTACT, "material": MATERIAL, "oil": OIL,
     "gear_unit": GEAR_UNIT,
 }  # fmt: skip
-#: What of a bearing file has no attribute, as JSON; and which loads and motions are prescribed, not results.
+#: The parts of a bearing file without an attribute, as JSON; and the loads and displacements that are prescribed.
 REST, PRESCRIBED = "custom_nonhertz_bearing_file", "custom_nonhertz_prescribed"
 #: Sizes of the units of REXS in those of bearing files.
 UNITS: Final = dict.fromkeys(("", "none", "mm", "rad", "N", "N / mm^2", "MPa", "N / rad", "N mm / rad"), 1.0) | {
     "1 / min": 1.0, "Hz": 1.0, "h": 1.0, "C": 1.0, "mm^2 / s": 1.0, "mum": 1e-3, "kN": 1e3, "N m": 1e3, "%": 1e-2,
     "N / m": 1e-3, "deg": math.pi / 180.0, "°": math.pi / 180.0,
 }  # fmt: skip
-#: The words of kinds, the first of which is written; those of others are refused.
+#: The words of kinds, the first of which is written; other kinds are refused.
 TYPES: Final = {
     "cylindrical": ("radial_roller_bearing",),
     "needle": ("radial_needle_roller_bearing",),
@@ -41,11 +41,11 @@ TYPES: Final = {
 _LETTERS: Final = dict(zip("cntsa", TYPES, strict=True))
 #: Classes of ISO 492 and groups of ISO 5753-1 in REXS; those of seats, ISO 286, have the same names.
 CLASS_WORDS: Final = {"Normal": "P0", "6": "P6", "5": "P5", "CN": "C0"}
-#: How long a load case lasts: as REXS has it, and the share of revolutions in bearing files.
+#: The duration of a load case: in REXS, and as the share of revolutions in bearing files.
 TIME_SHARE, REVOLUTION_SHARE = "operating_time_fraction", "custom_nonhertz_share_of_revolutions"
-#: Loads and motions of two axes, and which of them one number alone is.
+#: Loads and displacements with two axes, and the axis of a single number.
 PAIRS: Final = {"radial": 0, "radial_displacement": 0, "moment": 1, "tilt": 1}
-#: By whether the inner ring bears axial loads along +u and along -u.
+#: By whether the inner ring supports axial loads along +u and along -u.
 DIRECTIONS: Final = {
     (False, False): "no_direction",
     (True, False): "positive",
@@ -56,18 +56,18 @@ DIRECTIONS: Final = {
 
 @dataclass(frozen=True)
 class Attribute:
-    """A line of the table, whose head says what its columns are.
+    """A line of the table.
 
     Attributes
     ----------
     component, ids, unit : str, tuple of str, str
         Its component type, its names, the first of which is written, and its unit.
     sign : int
-        -1 where it counts the other way round.
+        -1 if it has the opposite sign.
     key, value : str
-        Dotted paths in a bearing file, and in what is known when it is written.
+        Dotted paths in a bearing file, and in the data of the writer.
     kinds : frozenset of str
-        Words of the kinds that have it.
+        Kinds of bearings that have it.
     """
 
     component: str
@@ -89,12 +89,12 @@ class Attribute:
         return self.sign * UNITS[self.unit]
 
     def number(self, attributes: Attributes) -> float | None:
-        """Return its number among attributes in the unit of a bearing file; None where it is not there, or empty."""
+        """Return its number among attributes in the unit of a bearing file; None if it is missing or empty."""
         number = number_of(attributes, self.unit, *self.ids)
         return None if number is None else self.sign * number
 
     def of(self, known: Any) -> Any:
-        """Return its value in what is known; None where something on the way is."""
+        """Return its value in the data of the writer; None if a part of the path is None."""
         for name in self.value.split("."):
             known = known.get(name) if isinstance(known, Mapping) else getattr(known, name)
             if known is None:
@@ -103,12 +103,12 @@ class Attribute:
 
 
 def word_of(attributes: Attributes, name: str) -> str:
-    """Return an attribute as a word, empty where it is not there."""
+    """Return an attribute as a word; empty if it is missing."""
     return str(attributes.get(name, ("", ""))[0] or "")
 
 
 def number_of(attributes: Attributes, unit: str, *names: str) -> float | None:
-    """Return the first attribute of these names in units of a bearing file; None where it is not there, or empty.
+    """Return the first attribute of these names in units of a bearing file; None if it is missing or empty.
 
     Raises
     ------
@@ -123,14 +123,14 @@ def number_of(attributes: Attributes, unit: str, *names: str) -> float | None:
 
 
 def array_of(attributes: Attributes, unit: str, name: str) -> list[float]:
-    """Return an array in units of a bearing file, empty where it is not there; errors are those of `number_of`."""
+    """Return an array in units of a bearing file, empty if it is missing; raises as `number_of`."""
     values, stated = attributes.get(name, ([], ""))
     size = _size(name, stated, unit)
     return [size * _finite(name, value) for value in (values if isinstance(values, list) else [values])]
 
 
 def _size(name: str, stated: str, unit: str) -> float:
-    # A number that states no unit is in that of REXS.
+    # A number without a unit is in that of REXS.
     size = UNITS.get(unit if stated in ("", "none") else stated)
     if size is None:
         raise InputError(f"the unit of {name}", stated, f"be {unit}", "correct it in the file")

@@ -1,4 +1,4 @@
-"""Loads, motions and speeds of a bearing in the load cases of a model in REXS."""
+"""Loads, displacements and speeds of a bearing in the load cases of a REXS model."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ _CHOICES = (("radial", "radial_displacement"), ("axial", "axial_displacement"), 
 
 @dataclass
 class Loading:
-    """What load cases say of a bearing: tables of a bearing file, and sentences on what they leave open.
+    """The loads of a bearing in load cases: tables of a bearing file, and remarks on missing data.
 
     Attributes
     ----------
     load : dict
-        That of the first load case with loads of the bearing; empty where there is none.
+        The load of the first load case with loads of the bearing; empty if there is none.
     spectrum : list of dict
         Loads with the share of revolutions.
     turning : str
-        The ring that turns, where only the outer one does; else empty.
+        "outer" if only the outer ring turns; else empty.
     sentences : list of str
         Remarks.
     """
@@ -38,7 +38,7 @@ class Loading:
 
 
 def read_loading(model: Model, number: int, flipped: bool) -> Loading:
-    """Return what a model says of the loads of a bearing, by half a turn about v where a row is flipped."""
+    """Return the loads of a bearing in a model, turned by half a turn about v if a row is flipped."""
     own = model.components[number].attributes
     cases = [(case[number], _time_share(model, case)) for case in model.load_cases if number in case]
     states = [(state, share) for state, share in (*cases, (own, None)) if _prescribed(state, flipped)]
@@ -88,7 +88,7 @@ def _of_revolutions(timed: list[tuple[dict[str, Any], float]]) -> list[dict[str,
     whole = sum(time for _, time in timed)
     speeds = [load.get("speed") or 1.0 for load, _ in timed]
     shares = shares_of_revolutions([time / whole for _, time in timed], speeds)
-    # In load cases that are not among these the bearing turns without load.
+    # In all other load cases the bearing turns without load.
     return [load | {"share": min(1.0, whole) * share} for (load, _), share in zip(timed, shares, strict=True)]
 
 
@@ -98,7 +98,7 @@ def _load_of(state: Attributes, flipped: bool) -> dict[str, Any]:
 
 
 def _prescribed(state: Attributes, flipped: bool) -> dict[str, Any]:
-    """Return loads and motions of a load case as a bearing file has them; empty if there are none."""
+    """Return loads and displacements of a load case as in a bearing file; empty if there are none."""
     pairs = _chosen(state, _pairs(state))
     if flipped:
         pairs = {name: (a, -b) if name in table.PAIRS else (-a, b) for name, (a, b) in pairs.items()}
@@ -106,7 +106,7 @@ def _prescribed(state: Attributes, flipped: bool) -> dict[str, Any]:
 
 
 def _pairs(state: Attributes) -> dict[str, tuple[float, float]]:
-    """Return all forces, moments and motions about both axes."""
+    """Return all forces, moments and displacements with two axes."""
     values: dict[str, dict[int, float]] = {}
     for entry in (*table.LOADS, *table.REACTIONS):
         value = entry.number(state)
@@ -117,7 +117,7 @@ def _pairs(state: Attributes) -> dict[str, tuple[float, float]]:
 
 
 def _chosen(state: Attributes, pairs: dict[str, tuple[float, float]]) -> dict[str, tuple[float, float]]:
-    """Return those that are prescribed, not results."""
+    """Return the pairs that are prescribed, not results."""
     if table.PRESCRIBED in state:
         names = word_of(state, table.PRESCRIBED).split()
     else:
@@ -126,7 +126,7 @@ def _chosen(state: Attributes, pairs: dict[str, tuple[float, float]]) -> dict[st
 
 
 def _unpaired(name: str, pair: tuple[float, float]) -> float | list[float]:
-    """Return one number where a pair has one alone, or only one axis."""
+    """Return one number if a pair has only one, or only one axis."""
     if name not in table.PAIRS:
         return pair[0]
     usual = table.PAIRS[name]

@@ -62,12 +62,12 @@ class Model:
 
 
 def read_model(path: str | Path) -> Model:
-    """Return the model in a file, XML or JSON by what it holds.
+    """Return the model in a file, XML or JSON by its content.
 
     Raises
     ------
     InputError
-        If it cannot be read, is too large, no REXS, or of a version before 1.4.
+        If it cannot be read, is too large, is not REXS, or of a version before 1.4.
     """
     data, name = read_input_file("rexs", path, LARGEST)
     try:
@@ -83,7 +83,7 @@ def read_model(path: str | Path) -> Model:
 
 
 def _of_document(document: dict[str, Any]) -> Model:
-    """Return the model of what JSON has below its root."""
+    """Return the model of the contents of JSON below its root."""
     model = Model({"version": str(document["version"])})
     for entry in document.get("relations", ()):
         roles = [(str(ref["role"]), int(ref["id"])) for ref in entry["refs"]]
@@ -107,12 +107,12 @@ def _attributes(component: dict[str, Any]) -> Attributes:
 
 
 def _value(attribute: dict[str, Any]) -> Any:
-    """Return what stands in an attribute of JSON under the name of its type."""
+    """Return the value of an attribute of JSON, which is under the name of its type."""
     return next((value for name, value in attribute.items() if name not in ("id", "unit")), None)
 
 
 def _xml_document(text: str) -> dict[str, Any]:
-    """Return what the same model has in JSON below its root."""
+    """Return the contents below the root of JSON for the same model."""
     if "<!DOCTYPE" in text or "<!ENTITY" in text:  # which could make a small file fill the memory
         raise ValueError("it has a document type")
     root = ET.fromstring(text)
@@ -169,7 +169,7 @@ def as_xml(model: Model) -> str:
 
 
 def _add(above: ET.Element, tag: str, entry: dict[str, Any]) -> ET.Element:
-    """Add an element with those values of an entry that are not lists."""
+    """Add an element with the values of an entry that are not lists."""
     return ET.SubElement(above, tag, {name: str(value) for name, value in entry.items() if not isinstance(value, list)})
 
 
@@ -190,7 +190,7 @@ def _add_components(above: ET.Element, document: dict[str, Any]) -> None:
 
 
 def _document(model: Model) -> dict[str, Any]:
-    """Return a model as JSON has it below its root."""
+    """Return a model as the contents of JSON below its root."""
     relations = [
         {"id": number, "type": type_}
         | ({} if order is None else {"order": order})
@@ -220,7 +220,7 @@ _ENUMS: Final = re.compile("_type$|_class$|absorption|^position|^kind$")
 
 
 def _typed(name: str, value: Any, unit: str) -> dict[str, Any]:
-    """Return an attribute of JSON, whose value stands under its type."""
+    """Return an attribute of JSON, with its value under the name of its type."""
     types = {bool: "boolean", int: "integer", float: "floating_point", list: "floating_point_array"}
     word = "enum" if isinstance(value, str) and _ENUMS.search(name) else types.get(type(value), "string")
     return {"id": name, "unit": unit, word: value}

@@ -42,30 +42,30 @@ _STEEL, _LISTED, _OF_RATING, _USUAL_RATING = "100Cr6", 20, 0.1, 1e4
 
 
 def read_rexs(path: str | Path, component: int | None = None) -> BearingCase:
-    """Return a bearing of a file in REXS, with what it says of loads, oil and life.
+    """Return a bearing in a REXS file, with its loads, oil and life.
 
     Parameters
     ----------
     path : str or Path
-        A file of version 1.4 or later, XML or JSON. What it holds beside the bearing is left alone.
+        A file of version 1.4 or later, XML or JSON. Parts other than the bearing are ignored.
     component : int, optional
-        Number of the bearing; may be left out where there is one.
+        Number of the bearing; may be left out if there is only one.
 
     Raises
     ------
     InputError
-        If the file is no REXS, or holds no such bearing, several without a number, or not what a bearing needs.
+        If the file is not REXS, has no such bearing, has several and ``component`` is left out, or lacks data.
     CaseError
-        If what it says of the bearing makes none.
+        If the data do not describe a valid bearing.
     """
     text = bearing_file_of_rexs(path, component)
     return BearingCase.of(parse(text, str(path)), Path(path).with_suffix(".toml"), text, files=False)
 
 
 def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
-    """Return the text of a bearing file for a bearing of a file in REXS, with what is guessed as comments.
+    """Return the text of a bearing file for a bearing in a REXS file, with comments on guessed values.
 
-    Parameters and errors are those of `read_rexs`.
+    Parameters and errors are as for `read_rexs`.
     """
     model = read_model(path)
     number = _chosen(model, component)
@@ -74,15 +74,15 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
     try:
         document = bearing.document()
         text = commented([first, *bearing.sentences], document)
-    except (ArithmeticError, AttributeError, KeyError, TypeError) as error:  # of what REST holds
+    except (ArithmeticError, AttributeError, KeyError, TypeError) as error:  # in the contents of REST
         condition = f"hold what {table.REST} of this program does ({type(error).__name__})"
         raise InputError("rexs", name, condition, "remove that attribute, or write the file anew") from None
-    BearingCase.of(parse(text, str(path)), Path(path), files=False)  # raises what is wrong with it
+    BearingCase.of(parse(text, str(path)), Path(path), files=False)  # raises its mistakes
     return text
 
 
 def _chosen(model: Model, number: int | None) -> int:
-    """Return the number of the bearing that is meant."""
+    """Return the number of the chosen bearing."""
     known = [entry for entry in model.components if model.components[entry].type in (table.BEARING, table.CATALOGUE)]
     if not known:
         raise InputError("rexs", "no rolling bearing", "hold one", "export the model with its bearings")
@@ -130,7 +130,7 @@ class _Bearing:
         return {} if number is None else self.model.components[number].attributes
 
     def document(self) -> dict[str, Any]:
-        """Return what the bearing file holds."""
+        """Return the document of the bearing file."""
         document = self._rest()
         for name in _TABLES:
             document.setdefault(name, {})
@@ -147,7 +147,7 @@ class _Bearing:
         return {name: entry for name, entry in document.items() if entry or name == "load"}
 
     def _exchange(self, document: dict[str, Any]) -> None:
-        """Put in what attributes hold."""
+        """Put in the values of attributes."""
         for entry in table.EXCHANGED:
             if self.kind in entry.kinds and entry.component in (table.BEARING, table.ROW, table.ROLLER):
                 self._put(document, entry)
@@ -162,12 +162,12 @@ class _Bearing:
         for entry in table.CLASSES:
             *tables, name = entry.key.split(".")
             word = word_of(self.own, entry.id)
-            # An operating clearance has seats in it already.
+            # An operating clearance already includes the effect of seats.
             if word and self.kind in entry.kinds and not (mounted and "fit" in tables):
                 _place(document, tables).setdefault(name, _CLASSES.get(word, word))
 
     def _complete(self, document: dict[str, Any]) -> None:
-        """Put in kind, arrangement, raceways, profile and materials of a bearing whose rollers are known."""
+        """Put in kind, arrangement, raceways, profile and materials of a bearing with known rollers."""
         document["bearing"]["kind"] = self.kind
         self._arrange(document["bearing"])
         if self.kind != "thrust":
@@ -194,7 +194,7 @@ class _Bearing:
         """Put an attribute in the place of its key."""
         *tables, name = entry.key.split(".")
         value = entry.number(self.components.get(entry.component, {}))
-        # Zero is what others write for unknown numbers, but for clearances.
+        # Other programs write zero for unknown numbers, except for clearances.
         if value is None or (value == 0.0 and name != "clearance") or ("pair" in tables and len(self.rows) < 2):
             return
         place = _place(document, tables)
@@ -202,7 +202,7 @@ class _Bearing:
             place[name] = int(value) if name == "rollers" else value
 
     def _arrange(self, bearing: dict[str, Any]) -> None:
-        """Put in design and pair, by the directions in which rows bear axial loads."""
+        """Put in design and pair, by the directions in which rows support axial loads."""
         if len(self.rows) > 1:
             arranged = {
                 ("negative", "positive"): "X",
@@ -221,13 +221,13 @@ class _Bearing:
                 bearing.setdefault("design", design)
 
     def _raceways(self, document: dict[str, Any]) -> None:
-        """Put in cones and raceways that are not given, and take out a pitch circle that goes without saying."""
+        """Put in cones and raceways that are not given, and remove a pitch circle that follows from them."""
         bearing, roller, inner, outer = (document[name] for name in ("bearing", "roller", *RINGS))
         pitch, across, angle = bearing["pitch_diameter"], roller["diameter"], bearing.get("contact_angle", 0.0)
         half = self._make_cone(roller, pitch, angle) if self.kind == "tapered" and isinstance(across, float) else 0.0
         if "diameter" not in inner or "diameter" not in outer:
             inner["diameter"], outer["diameter"] = _raceway_diameters(pitch, across, angle, half)
-            self.sentences.append("- raceways touch the rollers on their pitch circle; corners and ribs are not known")
+            self.sentences.append("- raceways touch the rollers on their pitch circle; corners and ribs are unknown")
             for ring, name, sign in ((inner, "bore", 1.0), (outer, "outside_diameter", -1.0)):
                 depth = 0.5 * sign * (abs(ring["diameter"]) - bearing.get(name, 0.0)) if name in bearing else 0.0
                 if depth > 0.0:
@@ -238,7 +238,7 @@ class _Bearing:
             del bearing["pitch_diameter"]
 
     def _make_cone(self, roller: dict[str, Any], pitch: float, angle: float) -> float:
-        """Make the rollers cones, and return half of the cone's angle [rad]."""
+        """Make the rollers cones, and return the half cone angle [rad]."""
         across, length = roller["diameter"], roller["length"]
         half = number_of(self.components[table.ROLLER], "deg", _HALF_CONE)
         if half is None:
@@ -271,14 +271,14 @@ class _Bearing:
             document[body].setdefault("material", material)
 
     def _guess(self, document: dict[str, Any], absent: list[str]) -> None:
-        """Put in an inside that is guessed from catalogue numbers; refuse where that cannot be."""
+        """Put in an internal geometry estimated from catalogue data, or refuse."""
         catalogue = self._catalogue()
         unknown = [attribute for name, (_, attribute) in _GUESSED_OF.items() if name not in catalogue]
         able = self.kind not in ("spherical", "thrust") and len(self.rows) < 2
         if unknown or not able:
             names = [entry.id for entry in table.EXCHANGED if entry.key in absent and "custom" not in entry.id]
-            rather = f", or {joined(unknown)} for a guess" if able else ""
-            condition = f"have the inside of the bearing, of which {joined(names)} are missing{rather}"
+            rather = f", or {joined(unknown)} for an estimate" if able else ""
+            condition = f"have the internal geometry of the bearing, but {joined(names)} are missing{rather}"
             raise InputError("component", self.number, condition, "export it with detailed geometry")
         guess = from_catalogue(**catalogue, kind=self.kind)
         self.sentences += [f"- {sentence}" for sentence in guess.sentences]
@@ -286,7 +286,7 @@ class _Bearing:
         document |= {name: guessed[name] for name in ("bearing", "roller", *RINGS)}
 
     def _catalogue(self) -> dict[str, Any]:
-        """Return the numbers of a catalogue that a guess takes, with an angle of 0 where it needs none."""
+        """Return the catalogue data for an estimate, with an angle of 0 if none is needed."""
         attributes = {**self.own, **self.components[table.ROW]}
         numbers = {name: number_of(attributes, *entry) for name, entry in _GUESSED_OF.items()}
         catalogue: dict[str, Any] = {name: number for name, number in numbers.items() if number}
@@ -297,7 +297,7 @@ class _Bearing:
         return catalogue
 
     def _oil(self, oil: dict[str, Any]) -> None:
-        """Put in the oil, and take out what needs one if there is none."""
+        """Put in the oil, or remove what needs one."""
         attributes = self.components[table.OIL]
         if "viscosity" not in oil and "temperature" in oil:
             oil |= _oil_of(attributes)
@@ -310,7 +310,7 @@ class _Bearing:
             oil.pop("temperature", None)
 
     def _put_loads(self, document: dict[str, Any]) -> None:
-        # Rows bear axial loads along +x here.
+        # Here rows support axial loads along +x.
         loading = read_loading(self.model, self.number, self.absorbed[:1] == ["negative"] and len(self.rows) < 2)
         load = document["load"]
         load |= loading.load

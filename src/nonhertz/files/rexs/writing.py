@@ -1,4 +1,4 @@
-"""A bearing, and what is found of it, as a model in REXS."""
+"""A bearing and its results as a REXS model."""
 
 from __future__ import annotations
 
@@ -43,16 +43,16 @@ def to_rexs(
     case : BearingCase
         The bearing and its loads.
     solution : BearingSolution, optional
-        What `BearingCase.solve` returned, for loads, pressures and stiffness.
+        The result of `BearingCase.solve`, for loads, pressures and stiffness.
     life : BearingLife, optional
-        What `BearingCase.assess` returned, for lives.
+        The result of `BearingCase.assess`, for lives.
     form : {"xml", "json"}
-        Which of both forms.
+        The form of the text.
 
     Raises
     ------
     InputError
-        If there is no such form, or no file can hold the bearing.
+        If there is no such form, or the bearing cannot be written.
     """
     if form not in FORMS:
         raise InputError("form", form, "be 'xml' or 'json'", "choose one of them")
@@ -60,7 +60,7 @@ def to_rexs(
 
 
 def form_of(path: Path) -> str:
-    """Return the form of a file of REXS by its name.
+    """Return the form of a REXS file by its name.
 
     Raises
     ------
@@ -77,12 +77,12 @@ def form_of(path: Path) -> str:
 def write_rexs(
     path: str | Path, case: BearingCase, solution: BearingSolution | None = None, life: BearingLife | None = None
 ) -> Path:
-    """Write what `to_rexs` returns to a file, as XML (.rexs, .rexs.xml) or JSON (.rexsj, .rexs.json), and return it.
+    """Write a bearing to a REXS file, as XML (.rexs, .rexs.xml) or JSON (.rexsj, .rexs.json), and return the file.
 
     Raises
     ------
     InputError
-        If the file's name has another ending, it cannot be written, or no file can hold the bearing.
+        If the file's name has another ending, or the file or the bearing cannot be written.
     """
     path = Path(path)
     return write_file(path, to_rexs(case, solution, life, form=form_of(path)))
@@ -125,7 +125,7 @@ def _exchanged(case: BearingCase, document: dict[str, Any], kind: str) -> dict[s
     known = SimpleNamespace(
         case=case, row=row, effective_length=high - low, profile_y=y, profile_relief=row.roller.profile.relief(y)
     )
-    # With fits the clearance is that before mounting.
+    # With fits, the clearance is that before mounting.
     other = f"{'radial' if case.fit is None else 'operating_radial'}_bearing_clearance"
     entries = [entry for entry in table.EXCHANGED if entry.id != other and kind in entry.kinds]
     attributes = {
@@ -158,7 +158,7 @@ def _place_of(document: dict[str, Any], entry: Attribute) -> tuple[dict[str, Any
 
 
 def _words(case: BearingCase, kind: str) -> Attributes:
-    """Return what kind of bearing it is, in the words of REXS."""
+    """Return the kind of a bearing in the words of REXS."""
     rows = case.bearing.rows
     up, down = (any(entry.bears_axially[k] for entry in rows) for k in range(2))
     return {
@@ -170,7 +170,7 @@ def _words(case: BearingCase, kind: str) -> Attributes:
 
 
 def _add_materials(model: Model, bearing: int, document: dict[str, Any]) -> int | None:
-    """Add oil and materials, and return the number of that of the rollers."""
+    """Add oil and materials, and return the number of the rollers' material."""
     oil = _oil(document)
     if oil:
         model.relate("reference", origin=bearing, referenced=model.add(table.OIL, "oil", oil))
@@ -226,7 +226,7 @@ def _times(case: BearingCase, unit: int) -> list[dict[int, Attributes]]:
 
 
 def _taken(entries: Iterable[Attribute], document: dict[str, Any], known: Any) -> Attributes:
-    """Take the keys that are attributes out of a document."""
+    """Remove the keys that are attributes from a document, and return these."""
     attributes: Attributes = {}
     for entry in entries:
         place: Any
@@ -242,7 +242,7 @@ def _taken(entries: Iterable[Attribute], document: dict[str, Any], known: Any) -
 
 
 def _read_off(entries: Iterable[Attribute], known: Any, kind: str) -> Attributes:
-    """Return what is known as attributes."""
+    """Return known values as attributes."""
     attributes: Attributes = {}
     for entry in entries:
         value = entry.of(known) if kind in entry.kinds else None
@@ -254,7 +254,7 @@ def _read_off(entries: Iterable[Attribute], known: Any, kind: str) -> Attributes
 
 
 def _load_case(load: dict[str, Any], turning: str) -> Attributes:
-    """Take what is prescribed, a speed and a share of the revolutions out of a table of loads."""
+    """Remove prescribed loads, a speed and a share of revolutions from a table of loads, and return them."""
     prescribed = {name: _paired(name, load.pop(name)) for name in LOADS if name in load}
     attributes: Attributes = {table.PRESCRIBED: (" ".join(prescribed), "none")}
     for entry in table.LOADS:
@@ -276,7 +276,7 @@ def _paired(name: str, value: float | list[float]) -> list[float]:
 
 
 def _of_ring(solution: BearingSolution, prescribed: Attributes) -> Attributes:
-    """Return forces and motions that are not prescribed, and what the bearing does to parts within and around it."""
+    """Return forces and displacements that are not prescribed, and the forces on shaft and housing."""
     force, moved = solution.force.tolist(), solution.displacement.tolist()
     attributes: Attributes = {}
     for entry, value in zip(table.LOADS, [*force, *moved], strict=True):
@@ -289,7 +289,7 @@ def _of_ring(solution: BearingSolution, prescribed: Attributes) -> Attributes:
 
 
 def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | None) -> SimpleNamespace:
-    """Return what is known of a loaded bearing, by the paths of the table."""
+    """Return the values of a loaded bearing, by the paths of the table."""
     stiffness = {
         f"{force}_{motion}": value
         for force, row in zip(_FORCES, solution.stiffness, strict=True)
@@ -305,7 +305,7 @@ def _known_of(case: BearingCase, solution: BearingSolution, life: BearingLife | 
 
 
 def _known_of_contacts(case: BearingCase, solution: BearingSolution) -> Iterator[list[dict[str, Any]]]:
-    """Yield what is known of every roller at the inner and at the outer ring."""
+    """Yield the values of every roller at the inner and at the outer ring."""
     if solution.method == "strips":
         details = ([_of_strips(solution, j, ring) for ring in range(2)] for j in range(solution.angle.size))
     else:

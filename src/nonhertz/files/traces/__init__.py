@@ -48,7 +48,7 @@ def read_trace(
     source : str, os.PathLike or bytes
         The file, or its content.
     name : str or None
-        What messages call it; the file's name if None.
+        Its name in messages; the file's name if None.
     position_unit, height_unit : str or None
         Units of the columns, such as ``"mm"`` or ``"um"``; None takes those that the file states, or mm. They apply to
         columns of text only: the other formats state their own.
@@ -58,8 +58,8 @@ def read_trace(
         ``"height"``, positive where there is material; ``"drop"``, positive where material is removed. None means
         heights, unless the column is called relief or drop; one called depth or wear is ambiguous and is refused.
     step : float, str or None
-        Distance between neighbouring points [mm], or text with its unit, where the file holds heights alone, one per
-        line, or numbers of points in place of positions; None takes that which the file states.
+        Distance between neighbouring points [mm], or text with its unit, if the file has only heights, one per line, or
+        numbers of points in place of positions; None takes the distance that the file states.
 
     Returns
     -------

@@ -223,7 +223,7 @@ def _find_ends(numbered: list[tuple[int, str]], rows: list[Row], table: _Table, 
         raise request.error(f"hold two columns of numbers ({_describe_content(numbered)})", _AS_TEXT)
     last = whole[-1]
     if table.layout.separator is not None:
-        # Words in a cell of their own, which no other line has.
+        # Words in a cell that no other line has.
         while first and _is_measured(rows[first - 1]) and table.holds(rows[first - 1]):
             first -= 1
         while last + 1 < len(rows) and _is_measured(rows[last + 1]) and table.holds(rows[last + 1]):
@@ -234,7 +234,7 @@ def _find_ends(numbered: list[tuple[int, str]], rows: list[Row], table: _Table, 
 def _read_rows(
     numbered: list[tuple[int, str]], rows: list[Row], ends: tuple[int, int], table: _Table, request: Request
 ) -> tuple[list[list[float]], list[str]]:
-    """Return the numbers from the first row to the last, and notes on words and footer; refuse lines like points."""
+    """Return the numbers from the first row to the last, and notes on words and footer; refuse points in the footer."""
     first, last = ends
     body: list[list[float]] = []
     words: list[str] = []

@@ -118,7 +118,7 @@ def _without_settings(heights: Heights, values: Array, step: float, request: Req
     if not step and apart and not heights.head and first > 0.0:
         return values[1:], first * length_factor("unit", request.position_unit or "um"), [*notes, _UM]
     if not step:
-        condition = "say how far apart its points are (there is one number per line and no position"
+        condition = "state the spacing of its points (there is one number per line and no position"
         raise request.error(condition + (f"; the first, {first:g}, may be it)" if apart else ")"), _GIVE_STEP)
     if apart and any(math.isclose(step, first * unit, rel_tol=1e-6) for unit in (1.0, 1e-3, 1e-6, 1e3)):
         notes.append(f"The first number, {first:g}, is the distance of the points.")
@@ -167,7 +167,7 @@ def _values(cells: Sequence[tuple[int, str, float | None]], request: Request) ->
 
 
 def _is_apart(heights: Heights, values: Array) -> bool:
-    """Return whether the first number is no height: far from those that follow, or written in another way."""
+    """Return whether the first number is not a height: far from those that follow, or written differently."""
     if len(values) < 3:
         return False
     steps = np.abs(np.diff(values[1 : _NEIGHBOURS + 2]))

@@ -1,4 +1,4 @@
-"""What all readers produce: positions and heights as the file has them, and from these a sorted trace."""
+"""The output of all readers: positions and heights as in the file, and from these a sorted trace."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ _WHICH = "give its number from 1, or its name"
 
 @input_class()
 class Request(Input):
-    """What the caller says about a file; see `nonhertz.files.traces.read_trace`."""
+    """The caller's options for a file; see `nonhertz.files.traces.read_trace`."""
 
-    name: Annotated[str, Word("what messages call the file", "give its name", condition=text)]
+    name: Annotated[str, Word("name of the file in messages", "give its name", condition=text)]
     position_unit: Annotated[
         str | None,
         Word("unit of the positions; what the file states, or mm, if left out", _QUOTES, condition=check_length_unit),
@@ -66,7 +66,7 @@ class Request(Input):
     sense: Annotated[
         str | None,
         Word(
-            "whether the column is positive where material is, 'height', or where it is taken away, 'drop'",
+            "whether the column is positive where there is material, 'height', or where it is removed, 'drop'",
             "write 'height' or 'drop'",
             ("height", "drop"),
         ),
@@ -75,8 +75,8 @@ class Request(Input):
         float | None,
         Quantity(
             "mm",
-            "distance between neighbouring points where the file has heights alone, one per line, or numbers of points "
-            "for positions; what the file states, if left out",
+            "distance between neighbouring points if the file has only heights, one per line, or numbers of points "
+            "for positions; by default that stated in the file",
             positive,
             "give it with its unit, such as '0.5 um'",
         ),

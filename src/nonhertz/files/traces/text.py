@@ -18,7 +18,7 @@ LONGEST_LINE = 5000
 _UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?")
 # "Not measured" as written by hand, by C runtimes (Microsoft's 1.#QNAN, -1.#IND and 1.#J, glibc's -nan(0x8)), by
-# Fortran (a field of asterisks), Java, and by spreadsheets, in German too.
+# Fortran (a field of asterisks), by Java, and by spreadsheets, also German ones.
 _OF_SHEETS = r"#{3,}(?=\s*(?:$|[;,|\t]))|#(?:n/?a|nv|div/0|num|ref|null|value|name|wert|zahl|bezug)\b[!?]?"
 _IN_WORDS = "no[ _-]?(?:data|value|signal|contact)|not[ _-]?(?:measured|valid)|out of range"
 _MISSING = re.compile(
@@ -33,7 +33,7 @@ _COMMENT_BEHIND = re.compile(rf"(?:^|(?<=[\s;|])|(?<=\D,))(?!{_OF_SHEETS})#.*", 
 NOT_MEASURED = re.compile(rf"(?<!\w)(?:{_IN_WORDS})(?!\w)", re.IGNORECASE)
 #: A mark before or behind the numbers of a line.
 MARK = re.compile(r"^[*!>~&+]\s+|\s*[;,|\t]?\s*[*!<~&#\u2020]+$")
-# Bytes at the beginning of a file that are searched for what text does not hold.
+# Bytes at the beginning of a file in which non-text bytes are searched.
 _LOOKED_AT = 65536
 _TEXT_CONTROLS = frozenset(b"\t\n\r\f\x1a")
 

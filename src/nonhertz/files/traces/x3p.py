@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _LARGEST_UNPACKED = 32_000_000  # bytes: the most points in three coordinates, and more than as much again of XML
 _MOST_MEMBERS = 1000
-# Of the description. A point written as text is an element of thirty characters, so 3 MB hold the most points allowed.
+# Bytes of the description. A point written as text is an element of thirty characters: the most points take 3 MB.
 _LARGEST_DESCRIPTION, _MOST_ELEMENTS, _DEEPEST, _LONGEST_TEXT = 8_000_000, 100_000, 50, 100_000
 _PIECE = 65_536  # bytes
 # Signature of each member's entry in the archive's directory.
@@ -132,7 +132,7 @@ def _look_through(description: bytes, request: Request) -> None:
 
 
 class _XmlLimits:
-    """What has been seen of a description: number of elements, their depth, and the characters between two tags."""
+    """Counters of a description: number of elements, their depth, and the characters between two tags."""
 
     def __init__(self, request: Request) -> None:
         self.request, self.elements, self.depth, self.characters = request, 0, 0, 0
@@ -161,6 +161,6 @@ class _XmlLimits:
 
 
 def describe_reason(error: Exception) -> str:
-    """Return what a library says of a damaged file, to be put in brackets."""
+    """Return a library's message on a damaged file, to be put in brackets."""
     text = " ".join(str(error).split()).rstrip(".") or type(error).__name__
     return text[:1].lower() + text[1:120]

@@ -1,4 +1,4 @@
-"""How far the inner ring moves under more and less than a bearing's load."""
+"""The displacement of the inner ring under more and less than a bearing's load."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 def displacement_against_load(solution: BearingSolution, ax: Axes = OWN, *, maps: BearingMaps | None = None) -> Axes:
     """Draw the displacement of the inner ring under up to 1.5 times its forces.
 
-    All forces grow in proportion; the ring's rotation and speed stay as they are. Radial displacement is that in
-    the direction of the radial force. The curve goes through the state itself and six others, marked by dots, with the
+    All forces grow in proportion; the ring's rotation and speed do not change. Radial displacement is that in the
+    direction of the radial force. The curve goes through the state itself and six others, marked by dots, with the
     slopes that their exact stiffness gives; they are solved as the state was, or by maps. States that have no solution
     are left out. The state itself is marked as it was solved, with its tangent.
 

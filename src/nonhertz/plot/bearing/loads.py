@@ -21,7 +21,7 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
 
     Two bars rise from each roller: its load at the inner and at the outer ring, to the same scale for all rows. Rollers
     that the inner ring does not load are open circles. As is usual in the literature (Harris), +y, along which a single
-    radial force acts, points down, so that the load zone is at the bottom; +z points right, and one looks against x.
+    radial force acts, points down, so that the load zone is at the bottom; +z points right, and the view is against x.
     The arrow is the direction of the radial force on the inner ring, on all rows together.
 
     Parameters
@@ -29,7 +29,7 @@ def bearing_loads(solution: BearingSolution, ax: PolarAxes = OWN, *, row: int = 
     solution : BearingSolution
         A loaded bearing.
     ax : matplotlib.projections.polar.PolarAxes, optional
-        Where to draw, made with ``projection="polar"``; if left out, in a figure of its own, ``ax.figure``.
+        Axes to draw on, made with ``projection="polar"``; by default those of a figure of its own, ``ax.figure``.
     row : int
         Which row of rollers, from 0.
 

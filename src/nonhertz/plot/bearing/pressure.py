@@ -25,7 +25,7 @@ def bearing_pressure(
     solution : BearingSolution
         A loaded bearing, solved by strips.
     ring : {"inner", "outer"}
-        Which ring.
+        The ring.
     row : int
         Which row of rollers, from 0.
     colour_bar : bool

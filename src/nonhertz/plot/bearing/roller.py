@@ -1,4 +1,4 @@
-"""The most loaded roller of a bearing: its pressure at both rings, and the profile that it has there."""
+"""The most loaded roller of a bearing: its pressure and its relief at both rings."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def most_loaded_roller(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     """Draw the centre-line pressure of the most loaded roller at both rings against y.
 
     Lines run through the centres of the strips to the ends of the contact; the maximum pressures are marked. Where the
-    pressure has no limit at a sharp end, the axis is cut.
+    pressure is unbounded at a sharp end, the axis is cut.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def roller_relief(solution: BearingSolution, ax: Axes = OWN) -> Axes:
     """Draw the relief of the most loaded roller and each ring together against y, and where they are in contact.
 
     That is the separation of the undeformed, untilted bodies: profiles and corners of both. The axis is cut where the
-    relief is far larger than what the load presses flat. Bars at the bottom are the contacts.
+    relief is far larger than the elastic deformation. Bars at the bottom are the contacts.
 
     Parameters
     ----------
