@@ -105,5 +105,6 @@ def test_without_openpyxl_the_way_out_is_said_before_the_work(monkeypatch, run):
 
     monkeypatch.setattr(builtins, "__import__", without)
     for words in (["solve", *CASES, "--out", "r.xlsx"], ["sweep", CASES[0], "--over", "load.load=5kN,6kN", "--excel"]):
-        assert "a workbook needs: pip install openpyxl, or pip install '.[data]'" in run(*words, code=2).err
+        said = run(*words, code=2).err
+        assert "needed for a workbook, is not installed: pip install openpyxl, or pip install '.[data]'" in said
     assert not list(Path().iterdir())

@@ -216,7 +216,7 @@ def test_a_full_disk_is_said_and_the_rows_before_are_kept(tmp_path, monkeypatch)
     monkeypatch.setattr(sqlite3, "connect", connect)
     store = Store(tmp_path, {}, ("load.load",), ("approach",))
     store.add(0, range(2), [(5e3,)] * 2, [Row((1.0,))] * 2)
-    with pytest.raises(nh.InputError, match=r"with space for more rows \(no space left on device\): make room"):
+    with pytest.raises(nh.InputError, match=r"with space for more rows \(no space left on device\): free some space"):
         store.add(9, range(2, 2000), [(5e3,)] * 1998, [Row((1.0,))] * 1998)
     assert len(store) == 2
 
