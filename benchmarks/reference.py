@@ -51,7 +51,7 @@ def made_reference(name: str) -> dict[str, Any]:
 
 
 def solved(race: races.Race, cells: entrants.Cells, program: str = PROGRAM) -> dict[str, float]:
-    """Return approach, centre pressure and the largest pressure on the centre line."""
+    """Return approach, centre pressure and the maximum pressure on the centre line."""
     start = time.perf_counter()
     answer = entrants.prepared(program, race, cells, threads=1)(TOLERANCE)
     found = {

@@ -187,7 +187,7 @@ def draw_edge_loading(stem: str) -> None:
         figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
         pressure, life = figure.subplots(1, 2)
         tilt = "Misalignment [mrad]"
-        study_lines(tilts, results["pressures"], pressure, x_label=tilt, y_label="Largest pressure [MPa]")
+        study_lines(tilts, results["pressures"], pressure, x_label=tilt, y_label="Maximum pressure [MPa]")
         study_lines(tilts, results["lives"], life, x_label=tilt, y_label="Life L10r [million revolutions]")
         life.get_legend().remove()
         pressure.set_ylim(bottom=0)

@@ -29,7 +29,7 @@ CHOICES = (
     ("none", "plane-strain"), ("none", "cylinder"), ("none", "diameter"), ("none", "none"),
 )  # fmt: skip
 HEADINGS = (
-    "`side_faces`, `depth`", "approach", "moment", "stiffness", "largest pressure", "near the end", "life, volume",
+    "`side_faces`, `depth`", "approach", "moment", "stiffness", "maximum pressure", "near the end", "life, volume",
     "life, laminae",
 )  # fmt: skip
 

@@ -102,7 +102,7 @@ def draw() -> None:
 
 
 def draw_roller(ax: Any) -> float:
-    """Draw the tilted roller, and return how far strips and plane grid differ, of the largest pressure."""
+    """Draw the tilted roller, and return how far strips and plane grid differ, of the maximum pressure."""
     strips = nh.solve(ROLLER, load=20e3, tilt=0.5e-3)
     grid = nh.patch.solve(ROLLER, load=20e3, tilt=0.5e-3, cells=(64, 512))
     pressure = grid.centre_pressure

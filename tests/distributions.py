@@ -44,7 +44,7 @@ assert importlib.resources.files("nonhertz").joinpath("py.typed").is_file()
 contact = nh.Contact(nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=1000)), nh.Ring(diameter=80))
 solution = nh.solve(contact, load=5e3)
 assert abs(solution.load / 5e3 - 1) < 1e-9, solution.load
-print(f"solved: largest pressure {solution.max_pressure:.0f} MPa")
+print(f"solved: maximum pressure {solution.max_pressure:.0f} MPa")
 """
 MISSING = (
     "The package {0}, needed for {1}, is not installed: pip install {0}, or pip install '.[{2}]' in the folder of "

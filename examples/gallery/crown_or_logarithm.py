@@ -78,7 +78,7 @@ figure = along(upright, "Upright")
 figure = along(tilted, "Tilted by 1 mrad")
 
 # %%
-# The largest pressure against the tilt
+# The maximum pressure against the tilt
 # -------------------------------------
 # Where an end carries load the pressure is singular: Lundberg's line stops at that tilt, and the straight roller
 # and the flat crown have no line at all. Up to that tilt the logarithmic profile is better. The strong crown is hardly
@@ -99,7 +99,7 @@ with sheet_style():
     axes.axhline(hertz.max_pressure, color=FAINT_INK, linewidth=0.7)
     axes.annotate("Hertz, line contact", (2.0, hertz.max_pressure), xytext=(0, -3), textcoords="offset points",
                   ha="right", va="top", fontsize=SMALL_SIZE, color=FAINT_INK)  # fmt: skip
-    axes.set(xlabel="Tilt [mrad]", ylabel="Largest pressure [MPa]", ylim=(2000, 3600))
+    axes.set(xlabel="Tilt [mrad]", ylabel="Maximum pressure [MPa]", ylim=(2000, 3600))
     axes.legend(loc="upper left")
     axes.spines[["top", "right"]].set_visible(False)
 

@@ -44,13 +44,13 @@ def drawn(values, label, levels):
 
 
 # %%
-# The largest pressure
+# The maximum pressure
 # --------------------
 # When aligned it is in the middle and grows slightly more slowly than the square root of the load, as in a Hertz
 # contact of fixed length: this contact also gets longer. Above about 30 kN the contact extends so far into the steep
 # ends of the profile that the peaks are there, and the contours have a kink. A tilt does the same on one side.
 
-figure = drawn(many.max_pressure, "Largest pressure [MPa]", np.arange(800, 5601, 400))
+figure = drawn(many.max_pressure, "Maximum pressure [MPa]", np.arange(800, 5601, 400))
 
 # %%
 # Tilting stiffness

@@ -59,7 +59,7 @@ for name, states in found.items():
 # %%
 # Moment against misalignment
 # ---------------------------
-# The moment about the middle of the bearing, and the largest pressure in it. In the cylindrical bearing the loads of
+# The moment about the middle of the bearing, and the maximum pressure in it. In the cylindrical bearing the loads of
 # the rollers hardly change either, but the pressure moves along them and grows with every milliradian.
 
 with sheet_style():
@@ -71,7 +71,7 @@ with sheet_style():
         left.plot(1e3 * TILTS, [1e-3 * each.force[4] for each in states], **style)
         right.plot(1e3 * TILTS, [each.max_pressure.max() for each in states], **style)
     left.set_ylabel("Moment on the inner ring [N m]")
-    right.set_ylabel("Largest pressure [MPa]")
+    right.set_ylabel("Maximum pressure [MPa]")
     right.set_ylim(bottom=0)
     for axes in (left, right):
         axes.set(xlabel="Tilt between the rings [mrad]")

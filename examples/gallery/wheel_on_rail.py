@@ -60,7 +60,7 @@ with sheet_style():
     axes.spines[["top", "right"]].set_visible(False)
 
 # %%
-# The largest pressure against the cone angle
+# The maximum pressure against the cone angle
 # -------------------------------------------
 # The dotted lines are Hertz's values for a wheel on one arc alone; only a method for arbitrary profiles can give the
 # transition between them. All of these contacts are wider than long, for which strips are not intended. The squares are
@@ -92,6 +92,6 @@ with sheet_style():
     axes.plot(1e3 * CONES, pressures, "o-", color=FIRST, markersize=3, label="strips")
     axes.plot(1e3 * CONES[CHECKED], [grid.max_pressure for grid in on_grid], "s", color=SECOND, markersize=6,
               mfc="none", label="plane grid")  # fmt: skip
-    axes.set(xlabel="Cone angle against the head [mrad]", ylabel="Largest pressure [MPa]", ylim=(1000, 2300))
+    axes.set(xlabel="Cone angle against the head [mrad]", ylabel="Maximum pressure [MPa]", ylim=(1000, 2300))
     axes.legend(loc="lower right", bbox_to_anchor=(1, 0.25))
     axes.spines[["top", "right"]].set_visible(False)

@@ -2,7 +2,7 @@
 Which tolerance matters?
 ========================
 
-The radii of crown and corners, the load and the misalignment of a roller vary. How much does the largest pressure vary,
+The radii of crown and corners, the load and the misalignment of a roller vary. How much does the maximum pressure vary,
 and which of them is worth tightening?
 """
 
@@ -53,7 +53,7 @@ with sheet_style():
     histogram(
         found.samples("max_pressure"),
         figure.add_subplot(1, 2, 1),
-        label="Largest pressure [MPa]",
+        label="Maximum pressure [MPa]",
         quantiles={each.probability: (each.low, each.high) for each in quantiles if np.isfinite(each.low + each.high)},
     )
     names = ("first", "total", "first_low", "first_high", "total_low", "total_high")

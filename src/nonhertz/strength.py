@@ -1,6 +1,6 @@
 """Strength of the bodies of a solved contact: yielding, hardened cases, static safety.
 
-`assess` compares a solution with the strength of a body's material (`nonhertz.Material`): the largest pressure with its
+`assess` compares a solution with the strength of a body's material (`nonhertz.Material`): the maximum pressure with its
 limit; the largest equivalent stress below the surface with the yield strength, in a hardened case and in the core below
 it; and the depth of the case with the depths of the largest shear stresses. Each comparison is one `Check` with one
 sentence, which also says if a strength is not known or the stress is singular. `judge` answers the same questions
@@ -129,7 +129,7 @@ class Strength(HasFindings, ReadOnly, HasHtml):
 
     @property
     def static_safety(self) -> float:
-        """S_0 = (limit of pressure / largest pressure)^2 [-], as for a line contact; NaN where it is not known."""
+        """S_0 = (limit of pressure / maximum pressure)^2 [-], as for a line contact; NaN where it is not known."""
         return 1.0 / self._ratio("pressure") ** 2
 
     @property
@@ -200,7 +200,7 @@ def assess(
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=2000), material=steel)
     >>> found = assess(nh.solve(nh.Contact(roller, nh.Plate()), load=6e3))
     >>> found.sentences[0]
-    'The largest pressure of 1509.6 MPa is 37.7 % of the limit of body a, 4000 MPa: static safety S0 = 7.02.'
+    'The maximum pressure of 1509.6 MPa is 37.7 % of the limit of body a, 4000 MPa: static safety S0 = 7.02.'
     >>> found.yield_ratio < 1.0
     True
     """
@@ -250,7 +250,7 @@ def assess(
 def judge(
     solution: Solution, *, body: BodyName, search: bool = True, called: str = "", where: str = ""
 ) -> tuple[Check, ...]:
-    """Return the checks of `assess` that the material allows, from the largest pressure alone where that decides.
+    """Return the checks of `assess` that the material allows, from the maximum pressure alone where that decides.
 
     Parameters
     ----------
@@ -337,7 +337,7 @@ class _BodyCheck:
     where: str = ""
 
     def pressure(self, largest: float) -> Check:
-        """Return the check of the largest pressure [MPa]."""
+        """Return the check of the maximum pressure [MPa]."""
         allowed = self.body.material.pressure_limit
         if allowed is None:
             words = f"Static safety is not known: the material of {self.name} has no pressure limit."
@@ -347,7 +347,7 @@ class _BodyCheck:
         safety = "" if self.where else f"static safety S0 = {format_digits(ratio**-2.0, 3)}"
         limit = f"the limit of {name_of(self.body.material) or self.name}, {{allowed:g}},"
         if self.limit:
-            what = f"The largest pressure of {{pressure}}{self.where}"
+            what = f"The maximum pressure of {{pressure}}{self.where}"
             return _compare("pressure", ratio, what, allowed, limit, safety, pressure=mpa(largest))
         towards = "he pressure grows without limit towards {ends}"
         if ratio <= 1.0 or not self.limit.away:
@@ -357,7 +357,7 @@ class _BodyCheck:
         return _compare("pressure", ratio, what, allowed, limit, safety, **numbers)
 
     def without_search(self, solution: Solution) -> Iterator[Check]:
-        """Yield the checks of yielding and the case by the largest pressure: not known where only a search can tell."""
+        """Yield the checks of yielding and the case by the maximum pressure: not known where only a search can tell."""
         material, depth = self.body.material, self.body.case_depth
         pressure, wide = solution.max_pressure, solution.max_half_width
         usual = self.body.bore is None and all(end.kind is EdgeKind.RUN_OUT for end in solution.edge_pressure)
@@ -386,7 +386,7 @@ class _BodyCheck:
             kind, factor, answer, beside = "point", point, "does not yield", "is below"
         else:
             return _not_known("yield", f"Whether {what} yields can only be decided by a search for its largest stress.")
-        words = f"{_capitalise(what)} {answer}: the largest pressure of {{pressure}} {beside} {{onset:4}}, "
+        words = f"{_capitalise(what)} {answer}: the maximum pressure of {{pressure}} {beside} {{onset:4}}, "
         words += f"{factor:.3g} times its yield strength, at which a {kind} contact begins to yield."
         onset = factor * strength
         return _judged("yield", pressure / onset, words, onset=mpa(onset), pressure=mpa(pressure))

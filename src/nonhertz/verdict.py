@@ -79,7 +79,7 @@ class Verdict:
     where : str
         Which of several it is about, such as ``"under 20 kN"``; empty if there is only one.
     severity : tuple of two float
-        The largest ratio of stress to strength [-] and the largest pressure [MPa]; verdicts of equal level are ordered
+        The largest ratio of stress to strength [-] and the maximum pressure [MPa]; verdicts of equal level are ordered
         by them.
     """
 
@@ -182,12 +182,12 @@ def judge_rows(
     warned: ArrayLike = (),
     what: str = "row",
 ) -> Verdict | None:
-    """Return the verdict on the rows of a study: the verdict on the row with the largest pressure.
+    """Return the verdict on the rows of a study: the verdict on the row with the maximum pressure.
 
     Parameters
     ----------
     pressures : array_like
-        The largest pressure of each row [MPa], nan where it has failed.
+        The maximum pressure of each row [MPa], nan where it has failed.
     judged : callable
         Returns the verdict on a row by its number.
     materials : sequence of hashable
@@ -316,7 +316,7 @@ def _judge_fits(clearance: OperatingClearance | None) -> Iterator[tuple[Level, F
 
 
 def _check_contacts(solution: BearingSolution) -> Iterator[Check]:
-    """Yield the checks of the contact with the largest pressure at each ring."""
+    """Yield the checks of the contact with the maximum pressure at each ring."""
     for k, ring in enumerate(RINGS):
         roller = int(np.argmax(solution.max_pressure[:, k]))
         contact = solution.contact(roller, ring)

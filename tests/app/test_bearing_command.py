@@ -158,7 +158,7 @@ def test_json_is_one_strict_object_with_all_numbers(folder, run, few):
         assert_array_equal(result[name], getattr(found, name), err_msg=name)
     assert_array_equal(result["stiffness"], found.stiffness)
     assert_array_equal(result["max_pressure"], found.max_pressure)
-    # Where there is no load there is no place of the largest pressure.
+    # Where there is no load there is no place of the maximum pressure.
     assert result["max_pressure_y"][3] == [None, None]
     life = case.assess(found)
     assert result["life"]["rating"]["dynamic"] == life.rating.dynamic
@@ -262,7 +262,7 @@ def test_check_says_in_one_line_that_all_is_well(folder, run):
 @pytest.mark.parametrize("change", ["load.radial=4MN", "load.tilt=0.05"])
 def test_check_doubts_a_load_or_a_tilt_that_no_metal_bears(folder, run, change):
     out = run("check", "few.toml", "--set", change).out
-    largest = float(re.search(r"\ndoubtful: no metal withstands the largest pressure, ([\d.]+) MPa", out)[1])
+    largest = float(re.search(r"\ndoubtful: no metal withstands the maximum pressure, ([\d.]+) MPa", out)[1])
     with without_accuracy_warnings():
         solved = read_bearing("few.toml", parse_changes([change])).solve("strips").max_pressure.max()
     assert 0.3 < largest / solved < 3.0  # slices of the standard do not feel each other

@@ -221,7 +221,7 @@ def test_version(run):
     ("change", "doubt"),
     [
         ("body.a.profile=[{kind='crown', radius=60}]", "body a drops by 0.209 mm half-way to its end, over 1 %"),
-        ("load.load=3MN", "no metal withstands the largest pressure, "),
+        ("load.load=3MN", "no metal withstands the maximum pressure, "),
     ],
     ids=range(2),
 )

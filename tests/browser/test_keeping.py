@@ -18,7 +18,7 @@ SAME = 1e-9  # the same solve of the same numbers, through JSON or TOML, which k
 def row(desk: Desk, number: int) -> dict[str, str]:
     """What a row of the table of pinned cases has below its heads; 0 is the first, -1 the case in the form.
 
-    The stress of all of a body follows later than that below the largest pressure: it is left out.
+    The stress of all of a body follows later than that below the maximum pressure: it is left out.
     """
     heads = desk.page.locator("#pins thead th").all_inner_texts()
     cells = desk.page.locator("#pins tbody tr").nth(number).locator("th, td").all_inner_texts()

@@ -1,6 +1,6 @@
 """300 random rollers: the accuracy that is asked for is met, and what is stated about it is true.
 
-The truth is a grid whose errors are a few millionths; of the largest pressure, the strips halved, and cut into eight
+The truth is a grid whose errors are a few millionths; of the maximum pressure, the strips halved, and cut into eight
 around it.
 """
 
@@ -23,7 +23,7 @@ TRUE, LEAST = 3e-6, 0.1  # the accuracy of the truth, and of errors too small to
 # Rounded corners take more strips than the grid gives them: most of those that miss it do so by less than a third, and
 # a maximum that is far off is stated to be.
 COVERED, IDLE = 0.995, 10.0  # share of errors of the maximum within what is stated; that over the error, at the median
-BESIDE, PARTS = 8, 8  # how many strips on either side of the largest pressure are cut, and into how many
+BESIDE, PARTS = 8, 8  # how many strips on either side of the maximum pressure are cut, and into how many
 BARS = {"met": 0.90, "stated": 0.93, "maximum met": 0.88, "maximum stated": 0.98}
 
 
@@ -104,7 +104,7 @@ def test_what_is_stated_of_the_maximum_is_true_and_no_idle_bound():
 
 
 def of_the_maximum(number):
-    """The error of a roller's largest pressure and what is stated of it, None where that has no limit."""
+    """The error of a roller's maximum pressure and what is stated of it, None where that has no limit."""
     with without_accuracy_warnings():
         contact, given = roller_case(number)
         found = nh.solve(contact, **given)
@@ -114,7 +114,7 @@ def of_the_maximum(number):
 
 
 def finer_around_the_maximum(solution):
-    """Edges of the strips of a solution halved, and cut into eight around its largest pressure."""
+    """Edges of the strips of a solution halved, and cut into eight around its maximum pressure."""
     edges, at = solution.edges, int(np.abs(solution.y - solution.max_pressure_y).argmin())
     parts = np.full(solution.strips, 2)
     parts[max(at - BESIDE, 0) : at + BESIDE + 1] = PARTS

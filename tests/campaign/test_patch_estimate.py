@@ -103,7 +103,7 @@ def region_of(solution):
 
 
 def stated_over_true(kind, number):
-    """Return what the estimate of approach and of the largest pressure is of the true error; infinite where it is."""
+    """Return what the estimate of approach and of the maximum pressure is of the true error; infinite where it is."""
     generator = np.random.default_rng((KINDS.index(kind), number))
     contact, given = case(kind, generator)
     cells = int(generator.integers(16, 49)), int(generator.integers(24, 97))

@@ -130,7 +130,7 @@ def _words(solution):
 
 
 def _maximum(solution):
-    """The maximum is the largest pressure beyond a half-width from singular ends, or at that very border."""
+    """The maximum is the maximum pressure beyond a half-width from singular ends, or at that very border."""
     ends = [end.y for end in solution.singular_ends]
     half_width = HERTZ_RATIO[solution.element.name] * solution.element_half_width
     pressure = np.zeros(solution.strips)

@@ -410,10 +410,10 @@ def _balance() -> Iterator[Claim]:
         lambda: _on_surface(tilted_on_strips()),
     )  # fmt: skip
     yield surface.claim(
-        "largest difference of sigma_z and the pressure, over the largest pressure", operator.itemgetter(0), 5e-3,
+        "largest difference of sigma_z and the pressure, over the maximum pressure", operator.itemgetter(0), 5e-3,
         why="between the centres of strips the pressure is interpolated, and the load of all of them kept",
     )  # fmt: skip
-    largest = "largest shear stress over the largest pressure"
+    largest = "largest shear stress over the maximum pressure"
     yield surface.claim(largest, operator.itemgetter(1), 1e-9, source="no friction")
 
 

@@ -266,7 +266,7 @@ def test_light_contacts_take_no_more_strips_than_by_themselves():
     contact = nh.Contact(nh.Roller(diameter=4.0, length=5.2, corner_radius=0.153), nh.Ring(diameter=31.0))
     law, approach = law_of(contact), np.array([1.5e-4, 1e-4, 3e-8])
     law.answer(np.arange(3), np.stack([approach, np.zeros(3)], axis=1)[:, None])
-    with without_accuracy_warnings():  # a speck at a corner: its largest pressure is not known to be within its size
+    with without_accuracy_warnings():  # a speck at a corner: its maximum pressure is not known to be within its size
         alone = [nh.solve(contact, approach=each).strips for each in approach]
     assert [law.edges(row).size - 1 for row in range(3)] == alone
 

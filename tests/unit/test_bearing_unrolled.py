@@ -87,7 +87,7 @@ def test_rows_have_their_own_rollers_and_one_grid(both):
     for k, found in enumerate((first, second)):
         assert found.row == k
         assert_array_equal(found.pressure.any(axis=1), both.load[12 * k : 12 * k + 12, 0] > 0.0)
-    # No end is sharp: the grid of 401 misses no more than a hundredth of the largest pressure.
+    # No end is sharp: the grid of 401 misses no more than a hundredth of the maximum pressure.
     assert_allclose(first.pressure.max(), both.max_pressure[:12, 0].max(), rtol=1e-2)
 
 

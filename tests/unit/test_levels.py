@@ -32,7 +32,7 @@ def test_peaks_are_looked_for_alike_on_both_sides(pressure):
 
 @pytest.mark.parametrize("rounding", [0.0, 1e-15, -1e-15])
 def test_a_strip_beside_the_middle_belongs_to_its_side_alone(rounding):
-    """Of two strips that bear the same, an ulp decided otherwise which was the largest pressure on both sides."""
+    """Of two strips that bear the same, an ulp decided otherwise which was the maximum pressure on both sides."""
     for more in ((0.0, 1e-15), (1e-15, 0.0)):
         found = peaks((0.5, 0.9, 1.0 + more[0], 1.0 + more[1], 0.9, 0.5), middle=rounding)
         np.testing.assert_allclose(found[:, 0], [-1.0, 1.0], rtol=1e-12)

@@ -157,7 +157,7 @@ def test_a_front_has_a_row_for_each_point():
     path = "body.a.profile.radius"
     front = Front(({path: 4e3}, {path: 5e3}), (2100.0, 2000.0), (2200.0, 2300.0), (), (), {path: "mm"})
     head, *rows = rows_of(shown(front))
-    assert head[1:] == ["largest pressure under the first loads [MPa]", "largest pressure under the second loads [MPa]",
+    assert head[1:] == ["maximum pressure under the first loads [MPa]", "maximum pressure under the second loads [MPa]",
                         f"{path} [mm]"]  # fmt: skip
     assert rows == [["1", "2100.0", "2200.0", "4000.0"], ["2", "2000.0", "2300.0", "5000.0"]]
 

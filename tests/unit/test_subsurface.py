@@ -231,7 +231,7 @@ def test_over_a_pass_close_to_the_surface_the_narrow_peak_is_found(plane_strain)
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore:The estimated error of the largest pressure")
+@pytest.mark.filterwarnings("ignore:The estimated error of the maximum pressure")
 def test_over_a_pass_of_a_dent_the_range_is_from_one_side_to_the_other():
     roller = nh.Roller(diameter=20, length=4, profile=nh.profile.crown(radius=500))
     dent = nh.patch.Dent(x=0.1, y=0.0, depth=0.002, diameter=0.6)

@@ -107,7 +107,7 @@ def test_one_cell_is_the_integral_of_point_loads(point):
 
 def test_stress_is_the_sum_over_all_corners(grid, points):
     found = Rectangles.of(*grid).stress(points, 0.3)
-    # What the module promises, of the largest pressure.
+    # What the module promises, of the maximum pressure.
     np.testing.assert_allclose(found, love(*grid, points, 0.3), rtol=0.0, atol=1e-6 * grid[-1].max())
 
 
@@ -116,7 +116,7 @@ def test_displacement_of_the_surface(grid, points):
     on_surface = points[-20:]
     found = Rectangles.of(*grid).displacement(on_surface, 0.3)[:, 2]
     expected = [(pressure * rectangles(edges(x, dx) - px, edges(y, dy) - py)).sum() for px, py, _ in on_surface]
-    # The half-width is 0.35 mm, and again a millionth of the largest pressure.
+    # The half-width is 0.35 mm, and again a millionth of the maximum pressure.
     np.testing.assert_allclose(found, 0.7 / (2 * np.pi) * np.array(expected), rtol=0.0, atol=0.35e-6 * pressure.max())
 
 

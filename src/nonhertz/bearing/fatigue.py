@@ -65,7 +65,7 @@ FIELDS = ("sections", "whole")
 # Largest relative change of the pressure over a half-width for which sections suffice, and permitted fraction of the
 # damage where it changes by more.
 _STEEP, _MOST_STEEP = 0.3, 0.05
-_LEAST = 1e-3  # of the largest pressure
+_LEAST = 1e-3  # of the maximum pressure
 
 
 @dataclass(frozen=True, eq=False, repr=False)

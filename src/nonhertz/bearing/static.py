@@ -1,7 +1,7 @@
-"""Static safety of a bearing by the largest pressure.
+"""Static safety of a bearing by the maximum pressure.
 
 ISO 76 defines the static rating by 4000 MPa, which leave a permanent dent of 1e-4 of the roller's diameter. The safety
-here is the factor on the load of the contact with the largest pressure at which it reaches the limit, at constant tilt,
+here is the factor on the load of the contact with the maximum pressure at which it reaches the limit, at constant tilt,
 from a solution of the contact itself. For Hertz's line contact it would be (4000 / p)^2; profiles or a tilt change it,
 since the load then spreads along the roller or shifts to an end.
 """
@@ -24,7 +24,7 @@ _EXACT = 1e-6
 
 
 def pressure_safety(solution: BearingSolution, limit: float = LIMIT) -> float:
-    """Return the load at which the contact with the largest pressure reaches a limit over its load [-].
+    """Return the load at which the contact with the maximum pressure reaches a limit over its load [-].
 
     Parameters
     ----------

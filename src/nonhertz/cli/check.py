@@ -86,7 +86,7 @@ def _describe_contact(case: Case) -> str:
 
 
 def _find_doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
-    """Yield what is allowed but looks like a slip of units, in bodies and in their largest pressure."""
+    """Yield what is allowed but looks like a slip of units, in bodies and in their maximum pressure."""
     for name, body in bodies.items():
         half = 0.5 * np.asarray(body.interval)
         relief = float(np.max(body.relief(half))) if np.isfinite(half).all() else 0.0
@@ -94,7 +94,7 @@ def _find_doubts(bodies: Mapping[str, Body], pressure: float) -> Iterator[str]:
             yield f"{name} drops by {relief:.3g} mm half-way to its end, over 1 % of its diameter"
     metals = all(body.material.modulus > METAL for body in bodies.values())
     if metals and pressure > BEYOND_METALS:
-        yield f"no metal withstands the largest pressure, {mpa(pressure)}; check load, tilt and units"
+        yield f"no metal withstands the maximum pressure, {mpa(pressure)}; check load, tilt and units"
 
 
 def _describe_bearing(case: BearingCase) -> str:

@@ -47,7 +47,7 @@ def design(
     starts : int
         Number of searches, each from a different starting point; by default that of the plan, or 5.
     front : int
-        Number of points on a Pareto front, found instead of one optimum: the largest pressure under the loads with tilt
+        Number of points on a Pareto front, found instead of one optimum: the maximum pressure under the loads with tilt
         against that under the loads without.
     out : Path
         Directory for case.toml (the optimised case), profile.csv, design.json and the figures, or with --front for

@@ -61,7 +61,7 @@ def _describe_loads(solution: Solution, loads: NodalLoads) -> list[str]:
     touching = int(np.count_nonzero(loads.pressure))
     highest = mpa(float(np.max(loads.pressure)))
     sentences = [
-        f"{loads.pressure.size} nodes, {touching} of them in contact. The largest pressure at a node is {highest}, "
+        f"{loads.pressure.size} nodes, {touching} of them in contact. The maximum pressure at a node is {highest}, "
         f"that of the contact {mpa(solution.max_pressure)}."
     ]
     load = solution.load

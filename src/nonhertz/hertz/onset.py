@@ -14,9 +14,9 @@ DEPTHS: Final = np.linspace(0.0, 20.0, 20001)
 
 @functools.cache
 def onset_of_yield(poisson: float) -> tuple[float, float]:
-    """Return the largest pressure over the yield strength at which circular and line contacts begin to yield [-].
+    """Return the maximum pressure over the yield strength at which circular and line contacts begin to yield [-].
 
-    The von Mises criterion is evaluated on the axis below the largest pressure, where yielding begins: 1.61 and 1.79
+    The von Mises criterion is evaluated on the axis below the maximum pressure, where yielding begins: 1.61 and 1.79
     for a Poisson's ratio of 0.3.
 
     Parameters
@@ -37,7 +37,7 @@ def onset_of_yield(poisson: float) -> tuple[float, float]:
 
 
 def von_mises_on_axis(poisson: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the von Mises stress over the largest pressure below a circle and a line, at `DEPTHS`."""
+    """Return the von Mises stress over the maximum pressure below a circle and a line, at `DEPTHS`."""
     z, root = DEPTHS, np.hypot(1.0, DEPTHS)
     circle = np.abs(1.5 / root**2 - (1.0 + poisson) * (1.0 - z * np.arctan2(1.0, z)))
     across, normal = 2.0 * z - (root + z**2 / root), -1.0 / root

@@ -48,7 +48,7 @@ ACROSS_DENT, ACROSS_SHOULDER, ACROSS_CONTACT = 24, 8, 20  # cells at least; acro
 EVERY = 2  # cells in either direction between the points that are followed
 REACH = 3.0  # half-widths beyond the rim: extent of the surroundings
 WINDOW = 3.5  # half-widths to either side: no point has its largest stress from further away
-UNCHANGED = 1e-4  # of the largest pressure: below this change the dent has no effect
+UNCHANGED = 1e-4  # of the maximum pressure: below this change the dent has no effect
 WIDER = 1.2  # extent of the cells over that of the contact
 
 
@@ -69,7 +69,7 @@ class Overrolled(HasFindings, ReadOnly):
     positions : ndarray, shape (stations,)
         Positions of the dent across the contact [mm] at which it changes the pressure; empty if it never does.
     max_pressure : ndarray, shape (stations,)
-        Largest pressure [MPa] within the surroundings at these positions.
+        Maximum pressure [MPa] within the surroundings at these positions.
     x, y, z : ndarray, shape (nx,), (ny,) and (depths,)
         Points of the surroundings [mm]: in the direction of rolling from the middle of the dent, along the contact, and
         below the surface.

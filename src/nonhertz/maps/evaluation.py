@@ -52,7 +52,7 @@ AT_APPROACH = _at_a_point(_at_approach)
 #: negative, and at a tilt [rad]. Under no load it is the state of first touch, without stiffness. Outside the range of
 #: the map the approach is continued linearly from its border, and ``inside`` is 0.
 AT_LOAD = _at_a_point(_at_load)
-#: ``void maxima(const double *table, double load, double tilt, double *maxima)`` writes two numbers: largest pressure
+#: ``void maxima(const double *table, double load, double tilt, double *maxima)`` writes two numbers: maximum pressure
 #: [MPa] and largest half-width [mm] under a load and a tilt, as `AT_APPROACH` writes them; zero under no load. Outside
 #: the range of the map the nearest load and tilt within it are used.
 MAXIMA = _at_a_point(_maxima)

@@ -33,7 +33,7 @@ class SampledErrors:
     stiffness : float
         The largest error of the four entries, over stiffness, stiffness times half-length, and times its square.
     max_pressure : float
-        Error of the largest pressure over that pressure, but over at least a fifth of the largest in the map.
+        Error of the maximum pressure over that pressure, but over at least a fifth of the largest in the map.
     max_half_width : float
         Error of the largest half-width over that half-width, likewise.
     strip_loads : float

@@ -109,7 +109,7 @@ class Material(Input):
         float | None,
         Quantity(
             "MPa",
-            "largest pressure of a contact at rest; 4000 MPa in roller bearings by ISO 76",
+            "maximum pressure of a contact at rest; 4000 MPa in roller bearings by ISO 76",
             positive,
             _STRENGTH_REMEDY,
         ),

@@ -39,7 +39,7 @@ class Unseen:
     x, y : float
         Its position [mm].
     pressure : float
-        Possible increase of the largest pressure [MPa].
+        Possible increase of the maximum pressure [MPa].
     lift : float
         Approximate distance by which the bodies would have to move apart: the overlap averaged over the contact [mm].
     """

@@ -115,7 +115,7 @@ class GridLevel:
     tilt: float
     load: float
     moment: float
-    along: tuple[Array, Array, Array]  # y, the largest pressure across, times K, and the half-width there
+    along: tuple[Array, Array, Array]  # y, the maximum pressure across, times K, and the half-width there
 
 
 @dataclass(frozen=True, eq=False)

@@ -29,11 +29,11 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 FEWEST_CELLS = 6.0  # per feature, below which a warning is given
-# Factors on the last change, for approach and load and for the largest pressure: calibrated on random contacts
+# Factors on the last change, for approach and load and for the maximum pressure: calibrated on random contacts
 # (tests/campaign/test_patch_estimate.py); with 1.5 for all, one approach in 25 exceeded its estimate.
 MARGIN, PRESSURE_MARGIN = 3.0, 1.5
 LONGEST_AT_END = 0.8  # half-widths: longer cells at a singular end allow no interpolation
-LEAST_CELLS = 2.0  # per feature: with fewer the largest pressure is arbitrary
+LEAST_CELLS = 2.0  # per feature: with fewer the maximum pressure is arbitrary
 STEEPEST = 1.5  # d ln(load) / d ln(displacement) of a paraboloid
 ROUGH, ROUGH_PRESSURE = 0.05, 0.2  # estimated relative errors above which a warning is given
 UNSEEN = 0.01  # of the largest displacement: an overlap between cell centres above which a warning is given
@@ -78,7 +78,7 @@ def error_estimate(
 
 
 def _is_unlimited(solution: PatchSolution, problem: PatchProblem, grid: Grid) -> bool:
-    """Return whether the largest pressure is singular, or arbitrary on these cells."""
+    """Return whether the maximum pressure is singular, or arbitrary on these cells."""
     lost = any(size < LEAST_CELLS * side for _, size, side in _sizes(problem.gap.features, solution.dx, solution.dy))
     cut = bool(_cut_off(solution, grid) or _edges_of_bodies(solution))
     return lost or cut or any(_too_long(solution, end) for end in solution.singular_ends)
@@ -155,7 +155,7 @@ def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
     stated = (
         (approached, error.approach, error.approach * solution.penetration, ROUGH * largest),
         ("load", error.load, error.load, ROUGH),
-        ("largest pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
+        ("maximum pressure", error.max_pressure, error.max_pressure, ROUGH_PRESSURE),
     )
     for name, share, size, most in stated:
         if most < size < math.inf:
@@ -242,7 +242,7 @@ def singularities(solution: PatchSolution) -> tuple[Finding, ...]:
 
 
 def _edges_of_bodies(solution: PatchSolution) -> list[Finding]:
-    """Return a finding if the contact reaches cells without a body, at the largest pressure beside them."""
+    """Return a finding if the contact reaches cells without a body, at the maximum pressure beside them."""
     without = np.pad(np.isposinf(solution.gap), 1)
     beside = without[2:, 1:-1] | without[:-2, 1:-1] | without[1:-1, 2:] | without[1:-1, :-2]
     pressure = np.where(beside, solution.pressure, 0.0)

@@ -118,7 +118,7 @@ class PatchSolution(Solved):
 
     @property
     def max_pressure_x(self) -> float:
-        """Position of the largest pressure across the contact [mm]; nan where nothing touches."""
+        """Position of the maximum pressure across the contact [mm]; nan where nothing touches."""
         if not self.footprint.any():
             return math.nan
         row = int(np.abs(self.y - self.max_pressure_y).argmin())
@@ -126,7 +126,7 @@ class PatchSolution(Solved):
 
     @property
     def peaks_at_corner(self) -> bool:
-        """Whether the largest pressure is at a corner of the profile: always False, since cells cannot show it."""
+        """Whether the maximum pressure is at a corner of the profile: always False, since cells cannot show it."""
         return False
 
     @cached_property
@@ -165,7 +165,7 @@ class PatchSolution(Solved):
 
     @cached_property
     def largest_across(self) -> Array:
-        """Largest pressure across the contact [MPa] at every ``y``."""
+        """Maximum pressure across the contact [MPa] at every ``y``."""
         return freeze(self.pressure.max(axis=0))
 
     @cached_property

@@ -13,9 +13,9 @@ def pressure(solution: Solution, ax: Axes = OWN) -> Axes:
     """Draw the centre-line pressure p0 (left axis) and the half-width b (right axis) against y.
 
     Both lines run through the centres of the strips to the ends of the contact; the pale steps are the strips
-    themselves. The largest pressure, the length in contact and the ends of the bodies are marked. Where a sharp end
+    themselves. The maximum pressure, the length in contact and the ends of the bodies are marked. Where a sharp end
     makes the pressure singular there is no largest value: the left axis is cut, exponent and strength are given at that
-    end, and the largest pressure more than a half-width away from such ends is marked. The right axis belongs to
+    end, and the maximum pressure more than a half-width away from such ends is marked. The right axis belongs to
     a twin of ``ax`` in the same figure.
 
     Parameters

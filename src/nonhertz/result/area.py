@@ -61,7 +61,7 @@ def outlines(solution: Solution) -> list[Outline]:
 
 
 def element_peak(solution: Solution) -> float:
-    """Return the largest pressure [MPa] in the middle of the element's own shape, away from singular ends.
+    """Return the maximum pressure [MPa] in the middle of the element's own shape, away from singular ends.
 
     That is the maximum pressure times the centre pressure of the shape over that of the Hertz ellipse of equal load;
     1 MPa without a pressure.

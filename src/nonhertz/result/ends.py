@@ -71,7 +71,7 @@ def corner_ends(contact: Contact, edges: Array, pressure: Array, half_width: Arr
     edges : ndarray, shape (n + 1,)
         Edges of strips, or of rows of cells [mm].
     pressure, half_width : ndarray, shape (n,)
-        Largest pressure [MPa] and half-width [mm] of each, zero out of contact.
+        Maximum pressure [MPa] and half-width [mm] of each, zero out of contact.
     """
     bends = np.array(contact.bends, dtype=float)
     places = core.corner_ends(bends, contact.compliance, contact.separation_at, edges, pressure, half_width)

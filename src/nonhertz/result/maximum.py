@@ -1,4 +1,4 @@
-"""The largest pressure and the largest half-width that are independent of refinement.
+"""The maximum pressure and the largest half-width that are independent of refinement.
 
 Towards a sharp end, a corner of the profile at which a contact ends, or the end of strips that cut a contact off,
 the pressure of strips and cells grows with every refinement. So only places more than a half-width from such an end
@@ -48,7 +48,7 @@ def distance_beyond(y: Array, half_width: Array, ends: Array) -> Array:
 
 
 def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[float, float]:
-    """Return the largest pressure more than a half-width from the ends, and its position.
+    """Return the maximum pressure more than a half-width from the ends, and its position.
 
     If the contact is too short for that, it is the pressure where the nearest end is farthest away, in half-widths.
 

@@ -164,7 +164,7 @@ class PressureNorm:
 
 @dataclass(frozen=True)
 class _Largest:
-    """The largest pressure, or the largest half-width, that counts."""
+    """The maximum pressure, or the largest half-width, that counts."""
 
     of_pressure: bool
 

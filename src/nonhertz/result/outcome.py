@@ -168,7 +168,7 @@ class Judgement:
 
     @cached_property
     def peaks_at_corner(self) -> bool:
-        """Whether the largest pressure is at a corner."""
+        """Whether the maximum pressure is at a corner."""
         return self._core.peaks_at_corner
 
     @cached_property

@@ -173,7 +173,7 @@ class Solution(Solved):
 
     @property
     def largest_across(self) -> Array:
-        """Largest pressure across the contact [MPa] at each strip: that on the centre line."""
+        """Maximum pressure across the contact [MPa] at each strip: that on the centre line."""
         return self.centre_pressure
 
     @property

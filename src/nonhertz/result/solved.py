@@ -131,7 +131,7 @@ class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
 
     @property
     def max_pressure(self) -> float:
-        """The largest pressure more than a half-width from `singular_ends` [MPa]."""
+        """The maximum pressure more than a half-width from `singular_ends` [MPa]."""
         return self._largest[0]
 
     @property

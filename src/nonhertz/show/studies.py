@@ -133,7 +133,7 @@ def design_sections(design: Design) -> list[Section]:
 
 
 def front_sections(front: Front, groups: tuple[str, str] = GROUPS) -> list[Section]:
-    """Return the points of a front: a column for the largest pressure under each group of loads, and for each path."""
+    """Return the points of a front: a column for the maximum pressure under each group of loads, and for each path."""
     heads, columns = ["point"], []
     for name, (values, unit) in front_columns(front, groups).items():
         cells, read = of_dimension(values, unit).apart()
@@ -148,7 +148,7 @@ def front_columns(front: Front, groups: tuple[str, str]) -> dict[str, tuple[Sequ
     pressures = zip(groups, (front.first, front.second), strict=True)
     paths = [path for path, value in front.values[0].items() if isinstance(value, float)]
     return {
-        **{f"largest pressure {group}": (values, "MPa") for group, values in pressures},
+        **{f"maximum pressure {group}": (values, "MPa") for group, values in pressures},
         **{path: ([values[path] for values in front.values], front.units.get(path, "")) for path in paths},
     }
 

@@ -34,7 +34,7 @@ ACCURACY = 1e-4  # of the approach, by default
 FEWEST_STRIPS, MOST_STRIPS = 1, 2000
 # Coarser grids take as long, and some miss peaks of the pressure without notice.
 FINEST_ACCURACY, COARSEST_ACCURACY = 1e-6, 1e-3
-PRESSURE_ACCURACY = 1e-3  # of the largest pressure, by default
+PRESSURE_ACCURACY = 1e-3  # of the maximum pressure, by default
 
 
 def solve(
@@ -76,7 +76,7 @@ def solve(
         automatic grid gets as many strips as that needs. If left out, 1e-4. ``solution.error_estimate`` says
         whether it was met.
     accuracy_of : str, optional
-        ``"approach"``, or ``"pressure"`` for a grid that aims at this relative error of the largest pressure, and
+        ``"approach"``, or ``"pressure"`` for a grid that aims at this relative error of the maximum pressure, and
         at least at the default accuracy of the approach; ``accuracy`` is then 1e-3 if left out.
 
     Returns
@@ -154,7 +154,7 @@ def problem_of(
     if accuracy_of != "pressure":
         return problem
     of_pressure = accuracy or PRESSURE_ACCURACY
-    # The estimate for the largest pressure is never below the grid's target for the approach.
+    # The estimate for the maximum pressure is never below the grid's target for the approach.
     return replace(problem, accuracy=min(0.5 * of_pressure, ACCURACY), pressure_accuracy=of_pressure)
 
 

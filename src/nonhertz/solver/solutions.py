@@ -58,7 +58,7 @@ class Solutions(HasHtml):
     approach, tilt, load, moment : ndarray, shape (...)
         As in `Solution` [mm, rad, N, N mm].
     max_pressure, max_pressure_y : ndarray, shape (...)
-        The largest pressure [MPa] more than a half-width away from ends where it is singular, and its position [mm].
+        The maximum pressure [MPa] more than a half-width away from ends where it is singular, and its position [mm].
     max_half_width : ndarray, shape (...)
         The largest half-width, likewise [mm].
     contact_length, penetration : ndarray, shape (...)

@@ -70,7 +70,7 @@ class Problem:
     accuracy_given : bool
         Whether the user gave that.
     pressure_accuracy : float or None
-        Relative error of the largest pressure that the grid also aims for, if any.
+        Relative error of the maximum pressure that the grid also aims for, if any.
     """
 
     contact: Contact

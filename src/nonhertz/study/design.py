@@ -194,12 +194,12 @@ class Front(HasFindings, HasHtml):
 
     def __repr__(self) -> str:
         ends = (str(mpa(min(group), max(group), between=" to ")) for group in (self.first, self.second))
-        pressures = "largest pressure {} under the first loads, {} under the second".format(*ends)
+        pressures = "maximum pressure {} under the first loads, {} under the second".format(*ends)
         return plain_text("Front", [f"{len(self.values)} points", pressures, *warning_lines(self.warnings)])
 
     @cached_property
     def verdict(self) -> Verdict | None:
-        """Whether limits are met: the verdict on the point with the largest pressure."""
+        """Whether limits are met: the verdict on the point with the maximum pressure."""
         return judge_rows(
             np.maximum(self.first, self.second), lambda k: _verdict(self.cases[k], self.loads), what="point"
         )

@@ -37,7 +37,7 @@ Array = NDArray[np.float64]
 
 WIDE = 10.0  # ratio of bounds from which a variable is taken in its logarithm
 STEP = 1e-4  # of a variable, for differences of the bodies' shapes
-FEWEST_ZONES, ZONES_PER_VARIABLE = 3, 2  # of the contact, each with its largest pressure
+FEWEST_ZONES, ZONES_PER_VARIABLE = 3, 2  # of the contact, each with its maximum pressure
 # Accuracy of a first search: mostly within 0.2 % of the pressure, in two thirds of the time. Occasionally strips miss a
 # narrow peak, so that a second search with the accuracy of the case continues from there.
 SEARCHING = 3e-4
@@ -83,7 +83,7 @@ class Task:
     goal: str  # "pressure", the lowest peak, or "life", the longest
     model: Model  # of fatigue
     limits: tuple[Limit, ...] = ()  # to be met
-    # Largest pressure allowed under each load [MPa]; None if its pressure is the goal; empty if that holds for all
+    # Maximum pressure allowed under each load [MPa]; None if its pressure is the goal; empty if that holds for all
     # loads.
     caps: tuple[float | None, ...] = ()
 
@@ -93,7 +93,7 @@ class Task:
         return max(FEWEST_ZONES, ZONES_PER_VARIABLE * len(self.variables) + 1)
 
     def cap(self, number: int) -> float | None:
-        """Return the largest pressure allowed under a load [MPa]; None if its pressure is the goal."""
+        """Return the maximum pressure allowed under a load [MPa]; None if its pressure is the goal."""
         return self.caps[number] if self.caps else None
 
     @property
@@ -197,7 +197,7 @@ class DesignPoint:
         return float(np.dot([load.share for load in self.task.loads], self.damages))
 
     def peaks(self) -> list[tuple[int, float, float]]:
-        """Return number of the load, position and logarithm of the largest pressure of every zone.
+        """Return number of the load, position and logarithm of the maximum pressure of every zone.
 
         As for `Solution.max_pressure`, places within a half-width of singular ends do not count.
         """

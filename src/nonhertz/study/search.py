@@ -1,6 +1,6 @@
 """One search of a design, by sequential quadratic programming with exact gradients.
 
-The lowest peak pressure is found in the form: least t such that the largest pressure of every third of every contact
+The lowest peak pressure is found in the form: least t such that the maximum pressure of every third of every contact
 is at most t, which is smooth where the largest one changes its place.
 
 References

@@ -143,7 +143,7 @@ class Sweep(HasHtml):
 
     @property
     def verdict(self) -> Verdict | None:
-        """Whether limits are met: the verdict on the row with the largest pressure, which is solved once more.
+        """Whether limits are met: the verdict on the row with the maximum pressure, which is solved once more.
 
         With several materials, the worst verdict on such a row of each. None if rows are missing, or have no pressure.
         """

@@ -117,7 +117,7 @@ def stress(
     free, the correction for an elastic quarter-space, which leaves no stress on the face. This includes faces with
     calibrated or weighted images, all of which have weight 1 here. A mirrored face is free of shear only, like a plane
     of symmetry, and behind an untreated face the half-space continues. Near free faces the error of the stress is below
-    1 % of the largest pressure.
+    1 % of the maximum pressure.
 
     Displacement uses the weights of the solution: on the surface in contact, u_z of both bodies adds up to the
     interference that was solved, within 1e-3 of the largest on the automatic grid; 1.5e-3 in the last half-widths
@@ -130,7 +130,7 @@ def stress(
 
     The interpolated pressure of strips has the solution's load, and its moment within 1e-3 of load times half the
     length of the contact. Compared with point loads summed by other code below 300 random contacts, on automatic and on
-    few and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the largest pressure for half
+    few and uneven strips, from 0.13 to 2 half-widths deep, components are within 3e-6 of the maximum pressure for half
     of the points, 5e-5 for 90 %, 4e-4 for 99 % and 1.3e-3 for all; pressures at centres are within 6e-4
     (tests/campaign/test_stress_campaign.py). Nearer to the surface than 0.04 half-widths the field is accurate to the
     steps between pieces, half a per cent. Errors of the solution's pressure also affect the field: on the automatic

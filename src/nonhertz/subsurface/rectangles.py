@@ -41,7 +41,7 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LADDER = (3, 4, 5, 6, 8, 10, 12, 16)
-# Error over the largest pressure, see `rule_ellipses`. For the worst distribution of pressure, the error of the stress
+# Error over the maximum pressure, see `rule_ellipses`. For the worst distribution of pressure, the error of the stress
 # summed cell by cell is five times as large.
 ERROR = 1e-7
 # A panel of fewer columns is no cheaper than Love's corners.
@@ -89,7 +89,7 @@ class Panels(NamedTuple):
 class Rectangles(Load):
     """The pressure of a plane grid, for the field below it.
 
-    The error is below 1e-6 of the largest pressure. At the edges of cells on the surface, where stresses jump, rounding
+    The error is below 1e-6 of the maximum pressure. At the edges of cells on the surface, where stresses jump, rounding
     decides between either side and their mean; at the corners, where a shear stress is unbounded, the result is a large
     number.
 

@@ -129,7 +129,7 @@ def extremes(
     Notes
     -----
     For the whole body, points within a half-width of a sharp end, or of a corner of the profile where the contact ends,
-    are left out, as for the largest pressure: the stress there is singular. In a smooth field the error is below 1e-5
+    are left out, as for the maximum pressure: the stress there is singular. In a smooth field the error is below 1e-5
     of the largest value; near the surface, steps of the pressure between strips or cells are part of the field. Beyond
     the contact, only a region within a half-width of it, up to a free side face, is searched.
 

@@ -18,7 +18,7 @@ def bearing_pressure(
 
     Every roller is a cell of its angular pitch; nothing is interpolated between rollers. Grey is out of contact. The
     loaded side is in the middle. Colours are the same for all rows and rings of a bearing, up to its maximum pressure;
-    the largest pressure of this row and ring is marked.
+    the maximum pressure of this row and ring is marked.
 
     Parameters
     ----------
