@@ -89,7 +89,12 @@ def test_the_table_says_what_its_numbers_mean(case, run):
     assert lines[1].startswith("Not judged. ")
     load = re.split(r"\s{2,}", lines[3].strip())
     assert [load[0], float(load[1]), load[-1]] == ["100 %", 12.0, "not judged"]
-    assert re.split(r"\s{2,}", lines[4].strip()) == ["life against ideal profile: a", "b", "L10 [10^6 rev]", "damage"]
+    assert re.split(r"\s{2,}", lines[4].strip()) == [
+        "life relative to ideal profile: a",
+        "b",
+        "L10 [10^6 rev]",
+        "damage",
+    ]
     rows = {cells[0]: cells[1:] for cells in (re.split(r"\s{2,}", line.strip()) for line in lines[5:7])}
     (life,) = assess(solved(case), "lundberg-palmgren", rollers=14, body="b")
     assert float(rows["lundberg-palmgren"][1]) == pytest.approx(life.relative_life, rel=1e-3)
@@ -98,7 +103,7 @@ def test_the_table_says_what_its_numbers_mean(case, run):
     assert rows["iso-16281"][3] == "60 laminae, edges as solved, e = 1.125"
     text = " ".join(printed.out.split())
     assert "1 is the life of the same bodies under Hertz's line pressure" in text
-    assert "L10 is the life of the ring, body b, that 90 % reach where all 14 rollers carry this load." in text
+    assert "L10 is the life that 90 % of rings, body b, reach if all 14 rollers are under this load." in text
     assert "There is no absolute life" not in text
 
 
@@ -230,7 +235,9 @@ def test_a_dent_that_is_rolled_over_is_in_table_files_and_report(tmp_path, monke
     monkeypatch.setattr("nonhertz.report.layout.image", lambda *_: b"<svg></svg>")
     assert main(["life", "dent.toml", "--out", "out"]) == 0
     life = coarse.relative_life(nonhertz.life.zaretsky(), dents=10)
-    sentence = f"10 dents in the raceway of body b leave this part of its life: {format_digits(life, 4)} (zaretsky)."
+    sentence = (
+        f"10 dents in the raceway of body b reduce its life to this fraction: {format_digits(life, 4)} (zaretsky)."
+    )
     assert sentence in capsys.readouterr().out
     assert {each.name for each in Path("out").iterdir()} == FILES | {"life-dent.svg", "life-dent.png", "life-dent.csv"}
     (of_zaretsky, of_laminae) = json.loads(Path("out/life.json").read_text(encoding="utf-8"))["models"]

@@ -97,7 +97,7 @@ def test_relative_lives_follow_from_the_excess(found):
     # What the excess of these cells is; whether it is true is asked below.
     for by, expected in ((lundberg_palmgren(), 0.99609), (each, 0.87005), (weibull(stress="von_mises"), 0.85327)):
         assert found.relative_life(by, per_area=0.1) == pytest.approx(expected, abs=1e-4)
-    with pytest.raises(InputError, match="such dents cover the raceway"):
+    with pytest.raises(InputError, match="with that many, dents cover the raceway"):
         found.relative_life(each, per_area=100.0)
 
 
