@@ -44,4 +44,6 @@ def test_parameters_in_docstrings_are_those_of_the_function(function):
     heads = [line.partition(" :")[0] for line in section.splitlines() if re.match(r"[*\w]+(, [*\w]+)*( :|$)", line)]
     documented = {name.strip(" *") for head in heads for name in head.split(",")}
     assert documented
+    # A name that is indented as a description is set into it.
+    assert not re.search(r"^ +\w+(, \w+)* : \w", section, re.MULTILINE)
     assert documented <= {node.arg for node in ast.walk(function.args) if isinstance(node, ast.arg)}

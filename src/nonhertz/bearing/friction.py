@@ -133,8 +133,8 @@ class Friction(HasHtml):
         M_0 and M_1 [N mm].
     speed : float
         Speed [1/min].
-        axial : float
-            Axial load on ribs of cylindrical bearings [N], whose friction M_2 is not included in the torque.
+    axial : float
+        Axial load on ribs of cylindrical bearings [N], whose friction M_2 is not included in the torque.
     """
 
     speed_torque: float

@@ -79,7 +79,7 @@ def rib_limit_skf(
         d, D and B [mm].
     speed : float
         Speed [1/min].
-        series : str
+    series : str
         Dimension series.
     full, grease : bool
         Whether it is full-complement (without a cage), and lubricated by grease.

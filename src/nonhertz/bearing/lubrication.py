@@ -173,8 +173,8 @@ def contamination_factor(viscosity_ratio: float, pitch_diameter: float, cleanlin
     ----------
     viscosity_ratio : float
         kappa.
-        pitch_diameter : float
-            Pitch diameter [mm].
+    pitch_diameter : float
+        Pitch diameter [mm].
     cleanliness : {"high", "-/15/12", "-/17/14", "-/19/16", "normal", "slight", "typical", "severe"}
         ``"high"``: oil through a very fine filter, or bearings greased for life in a clean room and sealed; 0.6 to 0.8
         for pitch diameters below 100 mm. Otherwise circulating oil whose filter keeps it to this code of ISO 4406, or a

@@ -37,8 +37,8 @@ class End:
     ----------
     y : float
         Position [mm].
-        side : int
-            -1 at the low, 1 at the high end of the bodies.
+    side : int
+        -1 at the low, 1 at the high end of the bodies.
     weights : tuple of float
         Weights of the images of body a and b about this face, limited so that ``image_weight`` is at most 1.
     requested : float

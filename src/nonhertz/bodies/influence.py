@@ -33,8 +33,8 @@ class FreeSide:
     ----------
     y : float
         Position [mm].
-        side : int
-            -1 at the low, 1 at the high end of its body.
+    side : int
+        -1 at the low, 1 at the high end of its body.
     share : float
         Share of its body in the compliance of the contact, times its weight where the corner is not a right angle.
     poisson : float

@@ -64,7 +64,7 @@ class Quantity:
         As in `nonhertz.inputs.units.to_unit`, ``""`` for a plain number.
     meaning : str
         Meaning of the field, a clause without a full stop.
-        condition : callable
+    condition : callable
         Its check.
     remedy : str
         What to do about a value that fails it, a clause without a full stop.

@@ -137,8 +137,8 @@ def zaretsky(
         e [-].
     stress_life_exponent : float
         c [-]; the integrand is the stress to the power c e, so that life varies with the power c for any slope.
-        stress : str
-            The stress that causes fatigue.
+    stress : str
+        The stress that causes fatigue.
 
     References
     ----------
@@ -159,8 +159,8 @@ def weibull(*, slope: float = LINE_CONTACT_SLOPE, exponent: float = 31.0 / 3.0, 
         e [-].
     exponent : float
         c [-].
-        stress : str
-            The stress that causes fatigue.
+    stress : str
+        The stress that causes fatigue.
 
     References
     ----------

@@ -165,7 +165,7 @@ def laminae_of(solution: Solved, model: LaminaModel, span: tuple[float, float] |
         The solved contact.
     model : LaminaModel
         The laminae and their edge stress.
-        span : tuple of float, optional
+    span : tuple of float, optional
         Interval to cut [mm]: the effective length of a bearing, if another of its contacts is shorter.
 
     Raises

@@ -217,7 +217,7 @@ def axial_plane(
         Stations [mm]; by default 201 over the contact and two half-widths beyond, within the body.
     z : array_like, shape (n,), optional
         Depths [mm]; by default 61 down to three half-widths.
-        x : float
+    x : float
         Position of the plane across the contact [mm].
     **options
         As in `stress`.

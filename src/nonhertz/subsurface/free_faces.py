@@ -115,7 +115,7 @@ class _Part:
     ----------
     is_odd : bool
         Whether it is the odd part.
-        alone, both : ndarray, shape (wave numbers, rank)
+    alone, both : ndarray, shape (wave numbers, rank)
         Coefficients of the field of this face alone, and together with another face; see `QuarterSpaceField`.
     """
 
