@@ -198,7 +198,7 @@ def test_cells_hardly_matter_to_maximum_shear_and_coarse_ones_are_warned_of(smoo
     (sentence,) = [
         each for each in found.warnings if each.startswith("Cells of 0.02 mm are coarser than the usual 0.0")
     ]
-    assert "by orthogonal shear" in sentence
+    assert "with orthogonal shear" in sentence
     each, other = zaretsky(), overrolled(smooth, DENT, body="b", cell=0.75 * COARSE, reach=2.0)
     assert other.excess(each) == pytest.approx(found.excess(each), rel=0.05)
     assert other.relative_life(each, per_area=0.1) == pytest.approx(found.relative_life(each, per_area=0.1), rel=0.01)
