@@ -311,7 +311,7 @@ def test_steep_pressures_are_said_where_sections_do_not_do():
     smooth, steep = B.solve(row(profile=nh.profile.crown(1000)), radial=3e3), B.solve(corner, radial=6e3, tilt=1e-3)
     assert not B.volume_life(smooth, "zaretsky").warnings
     assert not B.volume_life(steep).warnings
-    assert "sections overestimate shear there" in B.volume_life(steep, "zaretsky").warnings[0]
+    assert "sections overestimate shear" in B.volume_life(steep, "zaretsky").warnings[0]
 
 
 def test_sharp_ends_are_said_and_unloaded_bearings_last():
