@@ -264,7 +264,7 @@ def test_of_more_points_than_the_page_takes_neighbours_are_averaged(client, monk
     y = np.linspace(-10.0, 10.0, 2 * limits.UPLOAD_POINTS + 1)
     text = "\n".join(f"{a:.5f} {b:.5f}" for a, b in zip(y, -(y**2) / 8.0, strict=True))  # a crown of 4000 mm, in um
     found = client.post("/upload", params={"height_unit": "um"}, content=text.encode(), headers=BINARY).json()
-    assert found["notes"][-1].startswith(f"Every 3 of the {len(y)} points were averaged")
+    assert found["notes"][-1].startswith(f"Groups of 3 of the {len(y)} points were averaged")
     # The heights were written to a hundredth of a nanometre, and a filter leaves a parabola but for a constant.
     table = {name: np.array(found["table"][name]) for name in ("y", "relief")}
     curve = np.polynomial.Polynomial.fit(table["y"], table["relief"], 2).convert()
