@@ -320,7 +320,7 @@ def _solve_grid(
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return forces, stiffness and which states have converged; where not, NaN."""
     parts = []
-    together = _BY_STRIPS if options["method"] == "strips" and options["maps"] is None else _TOGETHER
+    together = _BY_STRIPS if options["method"] == "strips" else _TOGETHER
     for first in range(0, len(displacement), together):
         solutions = solve_many(bearing, displacement=displacement[first : first + together], **options)
         settled = solutions.converged
