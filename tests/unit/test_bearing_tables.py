@@ -78,7 +78,7 @@ def test_a_table_by_maps_is_that_by_strips():
     assert_allclose(by_maps.force[..., 1], by_strips.force[..., 1], rtol=2e-3, atol=1.0)
     assert np.all(np.isnan(by_strips.sampled_error()))
     assert "interpolated" not in repr(by_strips)
-    with pytest.raises(nh.InputError, match="maps = 'too small' must reach to loads of"):
+    with pytest.raises(nh.InputError, match="method = 'maps too small' must reach to loads of"):
         B.table(ROW, y=[0.0, 0.2], method=maps)
 
 
