@@ -129,7 +129,7 @@ def test_bodies_that_only_touch_where_they_are_tilted_do():
 
 
 @pytest.mark.filterwarnings(
-    "ignore:The bodies overlap by .* between cell centres", "ignore:The estimated error of the largest"
+    "ignore:The bodies overlap by .* between cell centres", "ignore:The estimated error of the maximum"
 )
 @pytest.mark.parametrize("cells_away", [1.0, 1.5])
 def test_a_bump_within_two_cells_of_the_region_is_found(cells_away):
