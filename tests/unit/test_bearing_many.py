@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 
 import nonhertz as nh
 from nonhertz.bearing import equilibrium
+from nonhertz.figures.displacement import displacement_against_load
 from nonhertz.native import core
 
 B = nh.bearing
@@ -74,6 +75,14 @@ def test_maps_lead_to_the_loads_of_strips(maps):
     assert_allclose(by_maps.displacement, by_strips.displacement, rtol=2e-3, atol=1e-7)
     many = B.solve_many(row(), radial=[2e3, 6e3], tilt=3e-4, method=maps)
     assert_allclose(many.load[1], by_maps.load, rtol=1e-6, atol=1e-3)
+
+
+def test_displacements_against_load_are_those_of_maps_with_the_ring_that_turns(maps):
+    state = B.solve(row(), radial=3e3, speed=15e3, turning="outer", method=maps)
+    curve = displacement_against_load(state, maps).panels[0].marks[0]
+    again = B.solve(row(), radial=1.5 * 3e3, speed=15e3, turning="outer", method=maps)
+    assert curve.name == "radial by maps"
+    assert curve.y[-1] == pytest.approx(again.displacement[1], rel=1e-6)
 
 
 def test_maps_that_are_too_small_or_of_another_bearing_are_refused(maps):

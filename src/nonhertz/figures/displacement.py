@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -82,8 +81,12 @@ def _curve(solution: BearingSolution, maps: BearingMaps | None) -> tuple[Array, 
     """
     forces = _forces(solution)
     rotation = drop_tilt_rounding(solution.displacement[3:])
-    how: dict[str, Any] = {"maps": maps} if maps is not None else {"method": solution.method}
-    how |= {"speed": _speed(solution), "tilt": tuple(rotation.tolist())}
+    how: dict[str, Any] = {
+        "method": solution.method if maps is None else maps,
+        "speed": solution.speed,
+        "turning": solution.turning,
+        "tilt": tuple(rotation.tolist()),
+    }
     states = {multiple: _one(solution, {k: multiple * v for k, v in forces.items()}, how) for multiple in MULTIPLES}
     if maps is None:
         states[1.0] = solution
@@ -104,14 +107,6 @@ def _forces(solution: BearingSolution) -> dict[str, Any]:
     return axial | ({"radial": force[1:]} if any(row.bears_radially for row in rows) else {})
 
 
-def _speed(solution: BearingSolution) -> float:
-    """Return the speed of the inner ring [1/min] from the centrifugal load on a roller, which grows with its square."""
-    if not solution.roller_load.any():
-        return 0.0
-    at_one = solution.bearing.rows[0].bearing.load_by_speed(1.0)[1]
-    return 30.0 / math.pi * math.sqrt(float(solution.roller_load[0, 1]) / at_one) if at_one > 0.0 else 0.0
-
-
 def _one(solution: BearingSolution, forces: dict[str, Any], how: dict[str, Any]) -> BearingSolution | None:
     with without_accuracy_warnings():
         try:
@@ -119,7 +114,7 @@ def _one(solution: BearingSolution, forces: dict[str, Any], how: dict[str, Any])
         except ConvergenceError:
             return None
         except InputError:
-            if "maps" in how:
+            if not isinstance(how["method"], str):
                 raise
             return None  # half as much load more may be beyond the model
 
