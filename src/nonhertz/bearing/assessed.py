@@ -2,11 +2,11 @@
 
     L10 = (C / P)^(10/3)        L_nmr = a_1 a_ISO L10r
 
-in millions of revolutions, L10r being that of `nonhertz.bearing.laminae`. Under a spectrum with the share u of the
-revolutions under each load, 1 / L = sum u / L (Palmgren, Miner). The static safety is C_0 over P_0.
+in millions of revolutions, with L10r from `nonhertz.bearing.laminae`. Under a spectrum, with a share u of the
+revolutions for each load, 1 / L = sum u / L (Palmgren, Miner). The static safety is C_0 over P_0.
 
-ISO 281 leaves it to the maker of a bearing whether the life equation holds for P above C / 2, where contacts may yield.
-Preload and moments are not in P, but in the load that has L10r, P_ref = C L10r^(-3/10) of ISO/TS 16281.
+For P above C / 2, where contacts may yield, ISO 281 refers to the maker of the bearing. P leaves out preload and
+moments; the load that would give L10r has them, P_ref = C L10r^(-3/10) of ISO/TS 16281.
 """
 
 from __future__ import annotations
@@ -51,12 +51,12 @@ from nonhertz.result.ends import ends_in_words
 Loaded = BearingSolution | Sequence[tuple[BearingSolution, float]]
 
 _LIFE_EXPONENT = 10.0 / 3.0
-_HEAVY = 0.5  # of C: the largest P for which ISO 281 has its life equation hold without asking the maker
-#: Of P, where it is zero and contacts bear loads.
+_HEAVY = 0.5  # of C: the largest P of the life equation of ISO 281, unless the maker allows more
+#: Said of P where it is zero although contacts bear loads.
 LEFT_OUT = "leaves out preload, moments, speed and ribs"
 _TEXT = "ISO/TS 16281:2008"
 _ROUNDED = "give corners, or a profile with more relief there, or edge_stress = 'standard'"
-#: What the modified life takes, in the words that every output has.
+#: Said where there is no modified life for want of oil.
 NO_OIL = "give viscosity and cleanliness for the modified life"
 _NO_OIL_FOR_THRUST = "no modified life of thrust bearings, whose a_ISO was found in one source only"
 _PAIRS = "pairs of a loaded bearing and its share of the revolutions"
@@ -69,33 +69,33 @@ class BearingLife(HasFindings, HasHtml):
     Attributes
     ----------
     rating : Rating
-        What it can bear.
+        C and C_0.
     equivalent_load, static_load : float
-        P and P_0 [N], which know neither preload nor moment; of a spectrum, the constant load with the same L10, and
-        the largest P_0.
+        P and P_0 [N], which leave out preload and moment; of a spectrum, the constant load with the same L10, and the
+        largest P_0.
     reference_life : float
-        L10r, of the laminae; NaN by pressures that have no limit towards an end, near which (f q)^(9/2) has no sum.
-        What speed presses on the outer ring counts, under a load on the inner one or none.
+        L10r, of the laminae; NaN by pressures that are singular at an end, where the integral of (f q)^(9/2) diverges.
+        Centrifugal loads on the outer ring count, also of rollers that the inner ring does not load.
     viscosity_ratio, contamination, life_factor : float or None
-        kappa, e_C and by how much they change the life, a_ISO [-]; None without a viscosity, and but for kappa without
-        a cleanliness. For a spectrum, the smallest kappa and e_C.
+        kappa, e_C and a_ISO [-]. All are None without a viscosity, the last two without a cleanliness or an e_C. For a
+        spectrum, the smallest kappa and e_C.
     reliability_factor : float
         a_1 [-].
     singular_ends : tuple of SingularEnd
-        Those towards which the damage has no limit, so that there is no L10r; empty if there are none.
+        Ends towards which the damage has no limit, so that there is no L10r; empty if there are none.
     parts : tuple of (BearingLife, float)
-        For a spectrum, the life under each load by itself, and its share; empty under one load.
+        For a spectrum, the life under each load alone and its share; empty under one load.
     axial_on_ribs : float
-        Axial load that the ribs of cylindrical rows bear [N], which neither P nor the laminae count; of a spectrum, the
+        Axial load on the ribs of cylindrical rows [N], which neither P nor the laminae include; of a spectrum, the
         largest.
     assumed : tuple of Finding
-        What is assumed of the conditions that were left out.
+        Assumptions in place of conditions that were left out.
     required : float or None
-        The life that is asked for; None if none is.
+        The required life; None if there is none.
     basis : str
-        The text that L10r follows, where it departs from that, and whether the bearing is beyond its scope.
+        The standard of L10r, departures from it, and whether the bearing is beyond its scope.
     speed : float or None
-        Speed at which revolutions become hours [1/min]: of a spectrum the mean over the time; None if one is not known.
+        Speed for lives in hours [1/min], of a spectrum the mean over the time; None if not known.
     """
 
     rating: Rating
@@ -121,7 +121,7 @@ class BearingLife(HasFindings, HasHtml):
 
     @property
     def basic_life(self) -> float:
-        """L10 of ISO 281; infinite without load, NaN where contacts bear what P leaves out alone."""
+        """L10 of ISO 281; infinite without load, NaN where contacts bear only loads that P leaves out."""
         return math.pow(self._safety(self.rating.dynamic, self.equivalent_load), _LIFE_EXPONENT)
 
     @property
@@ -131,7 +131,7 @@ class BearingLife(HasFindings, HasHtml):
 
     @property
     def rated_life(self) -> float:
-        """The life that stands: L_nmr if there is one, or else a_1 L10r."""
+        """L_nmr if there is one, or else a_1 L10r."""
         return self.reliability_factor * self.reference_life * (1.0 if self.life_factor is None else self.life_factor)
 
     @property
@@ -165,9 +165,9 @@ class BearingLife(HasFindings, HasHtml):
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:  # type: ignore[override]
-        """What limits the validity: axial loads on ribs, and a load under which the equations need not hold.
+        """What limits the validity: axial loads on ribs, and loads under which the equations need not hold.
 
-        For a spectrum, the heaviest.
+        For a spectrum, its heaviest load.
         """
         notes = []
         if self.axial_on_ribs:
@@ -221,7 +221,7 @@ class BearingLife(HasFindings, HasHtml):
 
     @property
     def factors(self) -> tuple[str, tuple[str, ...]]:
-        """The factors of L10r in words, and what a_ISO is made of, as far as it is known."""
+        """The factors of L10r in words, and those of a_ISO as far as they are known."""
         factors = [f"a1 = {format_digits(self.reliability_factor, 3)}"]
         if self.life_factor is not None:
             factors.append(f"a_ISO = {'none' if self.no_reference else format_digits(self.life_factor, 4)}")
@@ -245,7 +245,7 @@ _RATING = "give the load rating in N"
 
 @input_class(kw_only=True)
 class LifeConditions(Input):
-    """Under which conditions a bearing is assessed, beside its speed and its oil.
+    """Conditions of an assessment besides speed and oil.
 
     Raises
     ------
@@ -288,7 +288,7 @@ class LifeConditions(Input):
 
 @input_class(kw_only=True)
 class _Conditions(TurningRing, LifeConditions, OilInPlace):
-    """The same with the oil and the ring that turns."""
+    """All conditions, with the oil and the ring that turns."""
 
 
 @document_parameters(OilInPlace, LifeConditions)
@@ -306,34 +306,32 @@ def assess(
     static: float | None = None,
     required: float | str | None = None,
 ) -> BearingLife:
-    """Return how long a bearing lasts under stationary loads.
+    """Return the life of a bearing under stationary loads.
 
     Parameters
     ----------
     solution : BearingSolution, or several of one bearing with their shares
         The loaded bearing, or a spectrum: pairs of a solution and its share of the revolutions, from `solve_spectrum`
-        or with `shares_of_revolutions`. Shares are taken as they are; where they add up to less than 1, nothing is
-        loaded for the rest.
+        or with `shares_of_revolutions`. Where shares add up to less than 1, the bearing is unloaded for the rest.
     speed : float or sequence of float, optional
         [1/min], for a modified life and for lives in hours, one for all loads of a spectrum or one for each; if left
-        out, those at which the bearing was solved, where all are known.
+        out, the speeds of the solutions, if all have one.
     {OilInPlace}
     {LifeConditions}
 
     Raises
     ------
     InputError
-        If an argument is out of range, pressures are asked of a bearing that was solved by slices, rows are not alike,
-        or lubrication is asked of a thrust bearing, for which no formula was found twice.
+        If an argument is out of range, ``edge_stress="pressure"`` is given for a bearing solved by slices, rows differ,
+        or a viscosity is given for a thrust bearing, whose formula was found in one source only.
 
     Notes
     -----
-    Viscosities are found by `oil_viscosity`, and e_C by `contamination_factor`. Without a viscosity, or without a
-    cleanliness or an e_C, there is no modified life: L10r stands.
+    For viscosities see `oil_viscosity`, for e_C `contamination_factor`. Without a viscosity, or without a cleanliness
+    or an e_C, there is no modified life.
 
-    L10 contains the reduction by 0.83, lambda nu, for line loads that are not even; L10r does not, since the laminae
-    have the line loads themselves. Moments are not in P. Where a contact reaches a sharp end, there is no L10r by
-    pressures.
+    L10 contains the factor lambda nu = 0.83 for uneven line loads; L10r does not, since the laminae have the line loads
+    themselves. P leaves out moments. Where a contact reaches a sharp end, there is no L10r by pressures.
     """
     pairs = _pairs(solution)
     conditions = _Conditions(
@@ -438,7 +436,7 @@ def _oil_factors(conditions: _Conditions, speed: float | None, pitch: float) -> 
 
 
 def _basis(solution: BearingSolution, edge_stress: str) -> str:
-    """Return what L10r follows, and where not: the text is for slices of single rows under radial load."""
+    """Return the standard of L10r, which is for slices of single rows under radial load, with departures from it."""
     rows = solution.bearing.rows
     extended = len(rows) > 1 or rows[0].bearing.nominal_angle or axial_on_ribs(solution)
     words = f"extended {_TEXT}" if extended else _TEXT
@@ -460,7 +458,7 @@ def _combine_lives(parts: tuple[tuple[BearingLife, float], ...], conditions: _Co
     first = parts[0][0]
     columns = {name: [getattr(life, name) for life in lives] for name in _COMBINED}
     reference, rated = (miner(columns[name], shares) for name in ("reference_life", "rated_life"))
-    # All lives know their oil, or none does.
+    # Either all lives have their oil, or none has.
     kappa, clean = (
         None if None in columns[name] else min(columns[name]) for name in ("viscosity_ratio", "contamination")
     )

@@ -1,4 +1,4 @@
-"""What is known of a loaded bearing."""
+"""The solution of a bearing: loads, displacements, stiffness, pressures."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ CONTACT_QUANTITIES: Final[dict[str, Quantity]] = attributes(
     ("max_pressure_y", "where it is along the roller", "mm"),
     ("rib_load", "load on every roller's ends from the ribs of each ring", "N"),
 )
-#: Those of them that are not known by slices.
+#: Those that slices do not give.
 PRESSURES: Final = ("max_pressure", "max_pressure_y")
 _SAME = 1e-9  # of the largest approach
 
@@ -62,14 +62,14 @@ class UnrolledPressure(ReadOnly):
     ring : {"inner", "outer"}
         Which ring.
     row : int
-        Which row of rollers, from 0.
+        Index of the row, from 0.
     angle : ndarray, shape (rollers,)
         Where the rollers are [rad].
     y : ndarray, shape (n,)
         Places along the rollers' profiles [mm].
     pressure : ndarray, shape (rollers, n)
-        Pressure on the line x = 0 [MPa], as `Solution.pressure` interpolates it: zero out of contact, and in a strip at
-        a singular end not a converged value.
+        Pressure on the line x = 0 [MPa], interpolated as by `Solution.pressure`: zero out of contact, not converged in
+        a strip at a singular end.
     """
 
     ring: str
@@ -80,7 +80,7 @@ class UnrolledPressure(ReadOnly):
 
 
 class DistinctContact(NamedTuple):
-    """A solved contact, and whose it is: rollers on both sides of a load have the same."""
+    """A solved contact and the rollers that share it, as those at equal angles on both sides of a load do."""
 
     row: Row
     ring: int  # 0 of the inner, 1 of the outer one
@@ -95,35 +95,34 @@ class BearingSolution(ReadOnly, HasHtml):
     Attributes
     ----------
     bearing : RollerBearing or Paired
-        The bearing; the rollers of several rows follow one another.
+        The bearing; arrays list the rollers of all rows, one row after another.
     method : {"strips", "slices"}
         How its contacts were solved.
     turning : {"inner", "outer"}
-        The ring that turns; the other is at rest, and so is the load.
+        The ring that turns; the other ring and the load are at rest.
     speed : float
-        Its speed [1/min], at which lives and films are found unless another is given; 0 if none was.
+        Its speed [1/min], for lives and films too; 0 if none was given.
     angle : ndarray, shape (rollers,)
         Where the rollers are [rad].
     load, moment, approach, tilt, contact_angle : ndarray, shape (rollers, 2)
-        At the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; a roller that touches nothing has
-        no load.
+        At the contacts with the inner and the outer ring [N, N mm, mm, rad, rad]; loads are 0 out of contact.
     each_rib_load : ndarray, shape (rollers, ribs)
-        On the ends of the rollers from each rib, in the order of ``rib_contacts`` of the row [N].
+        Load of each rib on the ends of the rollers [N], in the order of ``rib_contacts`` of the row.
     displacement : ndarray, shape (5,)
-        Motion of the inner ring along x, y and z [mm] and about y and z [rad].
+        Displacement of the inner ring along x, y and z [mm] and about y and z [rad].
     force : ndarray, shape (5,)
-        Forces [N] and moments [N mm] on the inner ring that go with it.
+        Forces [N] and moments [N mm] on the inner ring.
     stiffness : ndarray, shape (5, 5)
         d(force) / d(displacement).
     roller_load : ndarray, shape (rollers, 3)
-        What speed loads every roller with, along x and r of its row [N] and as a moment [N mm].
+        Centrifugal load of every roller, along x and r of its row [N], and its gyroscopic moment [N mm].
     edge_rollers : ndarray of int
-        Rollers that stand at the edge of the load zone: without load, but not where the ring moves by 10 nm.
+        Rollers at the edge of the load zone: unloaded, but loaded when the ring moves by 10 nm.
     edge_stiffness : ndarray, shape (3,)
-        The change of force over such a motion along x, y and z, to the side on which it is larger [N/mm]; NaN if there
-        are no such rollers, and in states of `solve_many`, where neither is looked for.
+        Change of force over such a motion along x, y and z, in the direction in which it is larger [N/mm]; NaN if
+        there are no such rollers, and in states of `solve_many`, which looks for neither.
     residual : float
-        What is left of the balance, over the loads.
+        Residual of equilibrium, over the loads.
     iterations : int
         Newton steps of the ring.
     """
@@ -162,7 +161,7 @@ class BearingSolution(ReadOnly, HasHtml):
         """Return the only state of a bearing."""
         load, (approach, tilt) = states.load[0], np.moveaxis(states.pose[0, :, :2], -1, 0)
         edge_rollers, edge_stiffness = edge or (np.zeros(0, dtype=np.int64), np.full(3, np.nan))
-        # What is left of the balance of a roller that has lifted off is no load.
+        # The residual of a roller that has lifted off is no load.
         borne = load > NO_LOAD * np.max(load, initial=0.0)
         angles = [
             np.tile(of_row.contact_angles if method == "strips" else (of_row.nominal_angle,) * 2, (of_row.rollers, 1))
@@ -213,8 +212,8 @@ class BearingSolution(ReadOnly, HasHtml):
     def contact(self, roller: int, ring: str = "inner") -> Solution | None:
         """Return the contact of a roller with a ring, solved by strips for its load and tilt; None if unloaded.
 
-        Its approach and moment differ from those of the bearing by as much as strips laid for two contacts at a time
-        are in error, some 1e-5.
+        Its approach and moment differ from those of the bearing by some 1e-5: in the bearing, both contacts of a roller
+        share a grid of strips.
 
         Parameters
         ----------
@@ -260,7 +259,7 @@ class BearingSolution(ReadOnly, HasHtml):
         return rib.under(load) if rib is not None and load > 0.0 else None
 
     def place_of(self, roller: int) -> str:
-        """Return which roller it is, in words, in which rollers are counted from 1.
+        """Return a roller in words, which count from 1: ``"roller 1 at 0.0 degrees"``.
 
         Parameters
         ----------
@@ -283,25 +282,25 @@ class BearingSolution(ReadOnly, HasHtml):
 
     @property
     def assumed(self) -> tuple[Finding, ...]:
-        """What is assumed where the bearing leaves something out that decides the result."""
+        """Assumptions in place of what the bearing leaves out and the result depends on."""
         return collect_assumptions(parts_of(self.bearing))
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What strains the model, a sentence each, of the findings."""
+        """The findings, a sentence each."""
         return sentences(self.findings)
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
-        """What strains the model: what is found of contacts by strips, ribs whose contacts reach an edge, bores.
+        """What limits the validity: findings of contacts by strips, rib contacts that reach an edge, bores.
 
-        The first of each kind, with a count, from the most loaded roller down.
+        One of each kind, that of the most loaded roller, with a count.
         """
         return findings_of(self)
 
     @property
     def loaded_ribs(self) -> list[tuple[Array, RibContact]]:
-        """Every rib that bears loads, with that on each roller [N], which is zero on those of other rows."""
+        """The ribs, with the load of each on every roller [N], which is zero for rollers of other rows."""
         ribs = []
         for row in self.bearing.rows:
             # Slices ignore the ribs of tapered rows.
@@ -347,26 +346,26 @@ class BearingSolution(ReadOnly, HasHtml):
 
     @property
     def max_pressure_y(self) -> Array:
-        """Where it is along the roller [mm], shape (rollers, 2); NaN where there is no load."""
+        """Position of the maximum pressure along the roller [mm], shape (rollers, 2); NaN where there is no load."""
         places = self._of_contacts("max_pressure_y")
         return np.where(self.load > 0.0, places, np.nan)
 
     @property
     def loaded_share(self) -> Array:
-        """Share of the rollers that the inner ring loads, of each row, shape (rows,)."""
+        """Share of the rollers of each row that the inner ring loads, shape (rows,)."""
         return loaded_shares(self.bearing, self.load)
 
     @property
     def load_zone(self) -> Array:
-        """The angle over which rollers bear load between the rings, of each row [rad], shape (rows,).
+        """Angle of the load zone of each row [rad], shape (rows,).
 
-        Every roller that the inner ring loads counts with its angular pitch, so that it is 2 pi where all are loaded
-        and a single pitch where one is; of a zone in several parts it is the sum. Over 2 pi it is `loaded_share`.
+        The angular pitch times the number of rollers that the inner ring loads: 2 pi where it loads all, one pitch
+        where it loads one, the sum where the zone has several parts. Over 2 pi it is `loaded_share`.
         """
         return 2.0 * np.pi * self.loaded_share
 
     def rollers_of(self, row: int) -> slice:
-        """Return which rollers of all are those of a row, as a slice of ``load`` and other arrays.
+        """Return the slice of ``load`` and other arrays that holds the rollers of a row.
 
         Parameters
         ----------
@@ -389,14 +388,14 @@ class BearingSolution(ReadOnly, HasHtml):
         ring : {"inner", "outer"}
             Which ring.
         row : int
-            Which row of rollers, from 0.
+            Index of the row, from 0.
         y : array_like, optional
             Places along the rollers' profiles [mm], shape (n,); 401 of them evenly over the length if left out.
 
         Raises
         ------
         InputError
-            If there is no such ring or row, the places are not a row of numbers, or the bearing was solved by slices.
+            If there is no such ring or row, ``y`` is not a one-dimensional array, or the bearing was solved by slices.
 
         Examples
         --------
@@ -421,13 +420,13 @@ class BearingSolution(ReadOnly, HasHtml):
         return UnrolledPressure(ring, row, self.angle[these], places, pressure[these])
 
     def plot(self, what: str = "loads", ax: Axes | None = None) -> Axes:
-        """Draw the bearing, and return the axes; those of a figure of its own have it as ``figure``.
+        """Draw the bearing and return the axes; ``axes.figure`` is the figure.
 
         Parameters
         ----------
         what : str
             ``"loads"``, ``"pressure"``, ``"roller"`` (the most loaded one), ``"relief"`` or ``"displacement"`` (against
-            the load); see `nonhertz.plot`.
+            load); see `nonhertz.plot`.
         ax : matplotlib.axes.Axes, optional
             Where to draw; of loads, polar ones.
 
@@ -436,15 +435,14 @@ class BearingSolution(ReadOnly, HasHtml):
         InputError
             If there is no such drawing, or none of this bearing.
         """
-        import nonhertz  # what draws stands above what is drawn
+        import nonhertz  # plot imports this module
 
         return nonhertz.plot.draw(self, what, ax)
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each roller and ring, units in ``attrs["units"]``.
 
-        Rollers are counted in their row. The load of a rib, which is part of the inner ring, is in the line of that
-        ring. By slices there are no pressures: they are NaN.
+        Rollers are numbered in their row. The load of a rib is in the row of its ring. Pressures are NaN by slices.
 
         Raises
         ------

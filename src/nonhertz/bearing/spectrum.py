@@ -25,14 +25,14 @@ _SHARE = "give the share of the revolutions, above 0 and at most 1"
 
 @input_class(kw_only=True)
 class BearingLoadCase(BearingLoad):
-    """A load on a bearing, carried for a share of the revolutions, as in `nonhertz.bearing.solve`.
+    """A load on a bearing, as in `nonhertz.bearing.solve`, for a share of the revolutions.
 
     `shares_of_revolutions` converts shares of the time.
 
     Raises
     ------
     InputError
-        If one of them is out of range; whether the bearing takes the load turns out when it is solved.
+        If one of them is out of range; whether the bearing bears the load is known when it is solved.
     """
 
     share: Annotated[
@@ -41,7 +41,7 @@ class BearingLoadCase(BearingLoad):
 
     @property
     def load(self) -> dict[str, Any]:
-        """What `solve` takes."""
+        """The arguments of `solve`."""
         return {name: getattr(self, name) for name in BearingLoad.descriptions}
 
 
@@ -53,14 +53,14 @@ def solve_spectrum(
     method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
 ) -> tuple[tuple[BearingSolution, float], ...]:
-    """Load a bearing with every load of a spectrum.
+    """Return a bearing in equilibrium under every load of a spectrum.
 
     Parameters
     ----------
     bearing : RollerBearing or Paired
         The bearing.
     cases : sequence of BearingLoadCase
-        The loads. Where their shares add up to less than 1, nothing is loaded for the rest.
+        The loads. Where their shares add up to less than 1, the bearing is unloaded for the rest.
     turning, method, laminae
         As in `solve`.
 
@@ -74,7 +74,7 @@ def solve_spectrum(
     InputError
         If there are no cases, their shares add up to more than 1, or a load is not valid.
     ConvergenceError
-        If no balance is found under a load.
+        If no equilibrium is found under a load.
 
     Examples
     --------
@@ -95,12 +95,12 @@ def solve_spectrum(
 
 
 def shares_of_revolutions(times: ArrayLike, speeds: ArrayLike) -> tuple[float, ...]:
-    """Return the shares of the revolutions of loads that act for shares of the time, at speeds of their own.
+    """Return shares of the revolutions from shares of the time and speeds.
 
     Parameters
     ----------
     times : sequence of float
-        Shares of the time [-], 1 in all at most; for the rest the bearing stands still.
+        Shares of the time [-], together at most 1; for the rest the bearing stands still.
     speeds : sequence of float
         [1/min].
 
@@ -119,7 +119,7 @@ def shares_of_revolutions(times: ArrayLike, speeds: ArrayLike) -> tuple[float, .
     if rows[0].ndim != 1 or rows[0].shape != rows[1].shape or not rows[0].size:
         raise InputError("speeds", rows[1].size, f"be as many as times, {rows[0].size}", remedy)
     for share in rows[0].tolist():
-        positive("times", share, "give shares of the time, above 0 and 1 in all at most")
+        positive("times", share, "give shares of the time, above 0 and together at most 1")
     for speed in rows[1].tolist():
         positive("speeds", speed, "give speeds in 1/min, above 0: what stands still has no revolutions")
     at_most_whole("times", rows[0].tolist(), "give shares of the time")

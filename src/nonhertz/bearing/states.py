@@ -1,4 +1,4 @@
-"""Many states of one bearing as a value."""
+"""The solutions of one bearing under many loads."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Array = NDArray[np.float64]
-#: Of the numbers of a state: forces and motions of the inner ring, and the largest loads at both rings.
+#: Units of a state: forces on and displacements of the inner ring, and the largest loads at both rings.
 STATE_UNITS = FORCES | DISPLACEMENTS | {f"max_load_{ring}": "N" for ring in RINGS}
 
 
@@ -42,15 +42,15 @@ class BearingSolutions(ReadOnly, HasHtml):
     speed : float
         Its speed [1/min].
     displacement, force : ndarray, shape (..., 5)
-        Motions of the inner ring, as in `BearingSolution`.
+        Displacements of the inner ring and forces on it, as in `BearingSolution`.
     stiffness : ndarray, shape (..., 5, 5)
         d(force) / d(displacement).
     load : ndarray, shape (..., rollers, 2)
         Loads of the contacts with the inner and the outer ring [N].
     converged : ndarray of bool, shape (...)
-        Whether a balance was found; where not, the other values are those of the last step.
+        Whether equilibrium was found; where not, the other values are those of the last step.
     axes : mapping of str to ndarray
-        The values of the input that varies along each axis and along no other, by its name, as ``radial``. Other axes
+        The values of the input that varies along each axis and no other, by its name, such as ``radial``. Other axes
         are numbered: ``state``, or ``state_0``.
     """
 
@@ -79,7 +79,7 @@ class BearingSolutions(ReadOnly, HasHtml):
         shape: tuple[int, ...],
         axes: Mapping[str, Array],
     ) -> BearingSolutions:
-        """Return the states of a bearing in an array of a shape with axes."""
+        """Return the states of a bearing as an array of the given shape."""
         load = states.load[..., :2]
         most = np.max(states.load, axis=(1, 2), keepdims=True)
         return cls(
@@ -117,15 +117,15 @@ class BearingSolutions(ReadOnly, HasHtml):
 
     @property
     def loaded_share(self) -> Array:
-        """Share of the rollers that the inner ring loads, of each row, shape (..., rows)."""
+        """Share of the rollers of each row that the inner ring loads, shape (..., rows)."""
         return loaded_shares(self.bearing, self.load)
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return a pandas DataFrame: a row for each state, units in ``attrs["units"]``.
 
         Forces and moments on the inner ring, its displacements and rotations, the largest loads of a roller on both
-        rings, the loaded share of every row, and whether a balance was found; without one the numbers are NaN. The
-        index has a level for each of ``axes``.
+        rings, the loaded share of every row, and whether equilibrium was found; where not, numbers are NaN. The index
+        has a level for each of ``axes``.
 
         Raises
         ------
@@ -134,7 +134,7 @@ class BearingSolutions(ReadOnly, HasHtml):
         """
         pandas = library("pandas", "to_dataframe")
         numbers = np.concatenate([self.force, self.displacement, self.load.max(axis=-2), self.loaded_share], axis=-1)
-        # What a state without a balance ended with is no result.
+        # The last step of a state that did not converge is no result.
         rows = np.where(self.converged[..., None], numbers, np.nan).reshape(self.converged.size, -1)
         names = [*STATE_UNITS, *(f"loaded_share_{row}" for row in range(self.loaded_share.shape[-1]))]
         frame = pandas.DataFrame(rows, index=product_index(pandas, self.axes), columns=names).assign(

@@ -49,18 +49,17 @@ class ForceTable(ReadOnly, HasHtml):
     turning : {"inner", "outer"}
         The ring that turns.
     names : tuple of str
-        The motions that vary, of ``"x"``, ``"y"``, ``"z"`` [mm], ``"about_y"`` and ``"about_z"`` [rad].
+        The displacements that vary: some of ``"x"``, ``"y"``, ``"z"`` [mm], ``"about_y"`` and ``"about_z"`` [rad].
     axes : tuple of ndarray
-        Their values, ascending: the grid is of shape ``(...)``, an axis for each.
+        Their values, ascending; the grid has an axis for each.
     displacement, force : ndarray, shape (..., 5)
         As in `BearingSolution` [mm, rad], [N, N mm].
     stiffness : ndarray, shape (..., 5, 5)
         d(force) / d(displacement).
     converged : ndarray of bool, shape (...)
-        Whether the rollers found their balance; where not, forces and stiffness are NaN.
+        Whether equilibrium was found; where not, forces and stiffness are NaN.
     checked_displacement, checked_force : ndarray, shape (checks, 5)
-        Solved in the middle of cells of the grid, to see what interpolation is off by; without those that found no
-        balance.
+        Solved in the middle of cells, for the error of interpolation; only those that converged.
     """
 
     bearing: RollerBearing | Paired
@@ -123,10 +122,10 @@ class ForceTable(ReadOnly, HasHtml):
         Parameters
         ----------
         x, y, z, about_y, about_z : array_like
-            The motions that vary in the table [mm, rad], and no other; broadcast against each other.
+            The displacements that vary in the table [mm, rad], and no others; broadcast against each other.
         kind : {"linear", "cubic"}
-            Between neighbours, or by a cubic spline, which takes four points on every axis. A spline is smooth, and
-            so follows no kink; `sampled_error` says what either is off by.
+            Linear in each cell, or a cubic spline, which needs four points on every axis and smooths kinks;
+            `sampled_error` gives the error of both.
 
         Returns
         -------
@@ -136,7 +135,7 @@ class ForceTable(ReadOnly, HasHtml):
         Raises
         ------
         InputError
-            If a motion is missing, unknown, or outside the table.
+            If a displacement is missing, does not vary in the table, or lies outside it.
         """
         self._check_kind(kind)
         remedy = f"give {', '.join(self.names)}"
@@ -156,9 +155,9 @@ class ForceTable(ReadOnly, HasHtml):
         return force
 
     def sampled_error(self, kind: Kind = "linear") -> Array:
-        """Return how far interpolated forces and moments were from solved ones in the middle of cells.
+        """Return one and a half times the largest error of interpolation that was found in the middle of cells.
 
-        One and a half times the largest of these errors, no bound, as for `nonhertz.ContactMap`.
+        An estimate, no bound, as for `nonhertz.ContactMap`.
 
         Parameters
         ----------
@@ -182,7 +181,7 @@ class ForceTable(ReadOnly, HasHtml):
         return SAFETY * np.max(off, axis=0) if off.size else np.full(5, np.nan)
 
     def _interpolate(self, kind: Kind, at: Array) -> Array:
-        # Imported here, because most bearings need no table.
+        # Slow to import, and few need it.
         from scipy.interpolate import RegularGridInterpolator
 
         force: Array = RegularGridInterpolator(self.axes, self.force, method=kind)(at)
@@ -196,7 +195,7 @@ class ForceTable(ReadOnly, HasHtml):
                 condition = f"not be used with {axis.size} points along {name}: it needs {least}"
                 raise InputError("kind", kind, condition, "use 'linear', or make a larger table")
         if kind == "cubic" and not np.all(self.converged):
-            condition = "not be used where states have not converged: a spline takes them all"
+            condition = "not be used where states have not converged: a spline needs all of them"
             raise InputError("kind", kind, condition, "use 'linear', or make a table of a narrower range")
 
 
@@ -221,14 +220,14 @@ def table(
     bearing : RollerBearing or Paired
         The bearing.
     x, y, z : float or array_like
-        Displacements of the inner ring [mm]: a number where it is fixed, ascending ones along an axis of the grid.
+        Displacements of the inner ring [mm]: a number if fixed, ascending numbers for an axis of the grid.
     about_y, about_z : float or array_like
-        Its rotations [rad], likewise.
+        Rotations of the inner ring [rad], likewise.
     speed, turning, method, laminae
         As in `nonhertz.bearing.solve_many`; use maps for a large table.
     checks : int
-        In the middle of how many cells it is solved as well, to know what interpolation is off by; all cells, if there
-        are fewer. 0 for none.
+        Number of cells, drawn at random, in the middle of which it is solved too, for the error of interpolation; all
+        cells if there are fewer.
 
     Returns
     -------
@@ -263,7 +262,7 @@ def table(
     axes = {name: axis for name, axis in values.items() if axis.ndim}
     if not axes:
         raise InputError(
-            "y", motions["y"], "be an array if no other motion is", "give the values of one motion or more"
+            "y", motions["y"], "be an array if no other displacement is", "give the values of one displacement or more"
         )
     states = math.prod(map(np.size, values.values()))
     if states > MOST_STATES:
@@ -308,7 +307,7 @@ def _values(name: str, value: ArrayLike) -> Array:
 
 
 def _grid(values: dict[str, Array]) -> Array:
-    """Return all motions at the points of a grid, of shape (..., 5)."""
+    """Return all displacements at the points of a grid, of shape (..., 5)."""
     axes = [value for value in values.values() if value.ndim]
     spread = iter(np.meshgrid(*axes, indexing="ij"))
     shape = tuple(axis.size for axis in axes)
@@ -318,7 +317,7 @@ def _grid(values: dict[str, Array]) -> Array:
 def _solve_grid(
     bearing: RollerBearing | Paired, displacement: Array, options: dict[str, Any]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return forces, stiffness and which states have converged; where not, NaN."""
+    """Return forces, stiffness and which states have converged; numbers are NaN where not."""
     parts = []
     together = _BY_STRIPS if options["method"] == "strips" else _TOGETHER
     for first in range(0, len(displacement), together):

@@ -35,12 +35,12 @@ from nonhertz.result.data import name_axes
 Array = NDArray[np.float64]
 Method = Literal["strips", "slices"]
 
-# What leads to the neighbourhood of the balance, and what may be left there, over the loads. Slices are to be as narrow
-# as the contacts of rollers that speed alone loads are long.
+# Slices and a few strips give the start for the strips of the automatic grid, with a residual over the loads of NEARBY.
+# Slices must be as narrow as the contacts of rollers that only speed loads are long.
 GUIDING_SLICES, ROUGH_STRIPS, NEARBY = 81, 21, 1e-2
-# What slices leave of the balance, over the loads, where there is none. They leave 1e-9 where there is one.
+# Residual of slices over the loads, above which there is no equilibrium; where there is one, 1e-9 is left.
 UNBALANCED = 1e-6
-# Relative error of the preload of two rows by their clearance, and the largest number of steps.
+# Relative error of the preload that the clearance between two rows gives, and the largest number of steps.
 _PRELOAD_WITHIN, _MOST_ADJUSTMENTS = 1e-5, 12
 # Speed of the pitch circle [mm/s]. At half of it the hoop stress of a free ring of steel, rho v^2, is 1960 MPa.
 _MOST_RIM_SPEED = 1e6
@@ -78,7 +78,7 @@ def solve(
     method: Method | BearingMaps = "strips",
     laminae: int = LAMINAE,
 ) -> BearingSolution:
-    """Load a bearing, or move its inner ring; the outer ring is at rest.
+    """Return a bearing in equilibrium, under loads on its inner ring or displacements of it; the outer ring is at rest.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def solve(
     {TurningRing}
     method : {"strips", "slices"} or BearingMaps
         Strips on the automatic grid, the independent slices of ISO/TS 16281, or maps of this bearing, made by `maps`,
-        in place of strips while the balance is found.
+        which stand in for strips while equilibrium is sought.
     laminae : int
         Number of slices, for the method ``"slices"``.
 
@@ -101,22 +101,22 @@ def solve(
     InputError
         If the input is invalid.
     ConvergenceError
-        If no balance is found.
+        If no equilibrium is found.
 
     Warns
     -----
     AccuracyWarning
-        If contacts strain the model, end where the pressure has no limit or are refused, one on a rib reaches an edge,
-        or slices take hollow rollers as solid; the sentences are in ``solution.findings`` too.
+        If a contact is near the limits of the model, ends where the pressure is singular or is refused, if one on a rib
+        reaches an edge, or if slices take hollow rollers as solid. The findings are in ``solution.findings`` too.
 
     Notes
     -----
-    Without a force and a motion in its place there is no force, and the ring does not tilt. Slices have the nominal
-    contact angle at both rings, and know no ribs of tapered rows.
+    A direction in which neither force nor displacement is given has no force; without a moment or a tilt the ring does
+    not tilt. Slices use the nominal contact angle at both rings and ignore the ribs of tapered rows.
 
-    Rollers have three motions of their own, along x and r and about the tangent; friction and skew are left out, and
-    displacements are small compared with the rollers. Every roller is pressed alike on both sides by its contacts, as
-    the model of its whole body assumes; where they are tilted differently, that neglects the odd part.
+    A roller has three degrees of freedom: along x, along r and about the tangent. Friction and skew are left out, and
+    displacements are small compared with the rollers. The model of a whole roller assumes the same pressure on both
+    sides; where the contacts on both sides are tilted differently, the antisymmetric part is neglected.
 
     Examples
     --------
@@ -142,10 +142,10 @@ def solve(
         bearing, solver.method, turning, float(speed), states, loaded, find_edge_rollers(system, states)
     )
     try:
-        strained = solution.findings
-    except (InputError, ConvergenceError) as error:  # the loads are known
-        strained = (Finding.from_text(f"There are no pressures: {error}", "no-pressures"),)
-    warn(strained)
+        findings = solution.findings
+    except (InputError, ConvergenceError) as error:  # loads are known without pressures
+        findings = (Finding.from_text(f"There are no pressures: {error}", "no-pressures"),)
+    warn(findings)
     return solution
 
 
@@ -165,7 +165,7 @@ def solve_many(
     laminae: int = LAMINAE,
     threads: int | None = None,
 ) -> BearingSolutions:
-    """Load a bearing in many ways; with maps a state costs half a millisecond.
+    """Return a bearing in equilibrium under many loads; with maps a state takes half a millisecond.
 
     Parameters
     ----------
@@ -174,11 +174,11 @@ def solve_many(
     radial, axial, moment, radial_displacement, axial_displacement, tilt : array_like, optional
         As in `solve`, along y, x and about z, broadcast against each other.
     displacement : array_like, shape (..., 5), optional
-        All motions of the inner ring, in place of these: along x, y and z [mm] and about y and z [rad].
+        In their place, the whole displacement of the inner ring: along x, y and z [mm] and about y and z [rad].
     speed, turning, method, laminae
         As in `solve`, for all states.
     threads : int, optional
-        How many work on the states of slices or maps; all cores if left out. The results do not depend on it.
+        Threads for slices and maps; all cores if left out. Results do not depend on it.
 
     Returns
     -------
@@ -206,12 +206,12 @@ def solve_many(
 def adjust_preload(
     bearing: RollerBearing | Paired, method: Method = "strips", laminae: int = LAMINAE
 ) -> RollerBearing | Paired:
-    """Return two rows with the clearance between them that gives their preload; others as they are.
+    """Return paired rows with the clearance that gives their preload; other bearings unchanged.
 
     Raises
     ------
     InputError
-        If the preload is more than the rows bear.
+        If the rows cannot bear the preload.
     ConvergenceError
         If no such clearance is found.
     """
@@ -220,13 +220,13 @@ def adjust_preload(
     row, preload = bearing.bearings[0], bearing.preload
 
     def solve_half(clearance: float) -> BearingSolution:
-        """Return one of the rows, held in the middle between both: the other is its mirror image."""
+        """Return one row held at the middle of the pair; the other is its mirror image."""
         half = Paired(bearings=(row,), x=(0.0,), turned=(False,), clearance=clearance)
         return solve(half, axial_displacement=0.0, method=method, laminae=laminae)
 
     with without_accuracy_warnings():
         try:
-            # Alone a row moves by half of the clearance; ribs and different angles at both rings leave a little.
+            # A row alone moves by half of the clearance, but for what ribs and unequal contact angles change.
             between = -2.0 * float(solve(row, axial=preload, method=method, laminae=laminae).displacement[0])
             for _ in range(_MOST_ADJUSTMENTS):
                 solution = solve_half(between)
@@ -242,7 +242,7 @@ def adjust_preload(
 def _check_options(
     bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int
 ) -> tuple[BearingSolver, BearingMaps | None, Array]:
-    """Return how a bearing is solved, and what its speed loads every roller with; refuse what cannot be."""
+    """Return how a bearing is solved and the loads of its speed on every roller; refuse impossible input."""
     if not isinstance(bearing, RollerBearing | Paired):
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing, or take that of a BearingCase"
         raise InputError("bearing", bearing, "be a bearing", remedy)
@@ -266,7 +266,7 @@ def _solve_states(
     bearing: RollerBearing | Paired, load: Array, solver: BearingSolver, maps: BearingMaps | None, acting: Prescribed,
     threads: int = 1,
 ) -> tuple[System, States]:  # fmt: skip
-    """Return the rollers with their laws, and the states of the bearing."""
+    """Return the rollers with their contact laws, and the states of the bearing."""
     by_force, target = acting
     depth, start = _expected_depth(bearing, acting), np.zeros_like(target)
     start[:, 0] = np.where(target[:, 0] != 0.0, np.sign(target[:, 0]) * depth, 0.0)
@@ -279,8 +279,8 @@ def _solve_states(
     states = solve_balance(system, by_force, target, start, depth, threads=threads)
     if maps is not None:
         _refuse_beyond(bearing, laws, states)
-    # Whether loads can be balanced depends on where and in which directions rollers press, not on how stiff they are:
-    # what slices find no balance for, strips would look for in vain, pressed ever deeper.
+    # Whether loads can be balanced depends on where and in which directions rollers press, not on their stiffness:
+    # where slices find no equilibrium, strips find none either, and would be pressed ever deeper.
     in_balance = np.flatnonzero(states.residual <= UNBALANCED)
     if sliced or maps is not None or not in_balance.size:
         return system, states
@@ -291,12 +291,11 @@ def _refine_by_strips(
     bearing: RollerBearing | Paired, load: Array, acting: Prescribed, depth: float, states: States,
     in_balance: NDArray[np.int64],
 ) -> tuple[System, States]:  # fmt: skip
-    """Return the rollers with strips, and the states to which those of slices lead where these are in balance."""
+    """Return the rollers with strips, and their states, started from those of slices that are in equilibrium."""
     by_force, target = acting
     near, target = states.portion(in_balance), target[in_balance]
-    # Slices lead to the neighbourhood of the balance, and few strips closer to it; the slices to the last: rollers that
-    # speed alone presses on the outer ring bear less than what is near. Those that the inner ring presses are nearer to
-    # where springs would have them.
+    # Slices are solved to the end: rollers that only speed presses on the outer ring bear less than the residual of a
+    # rough solution. Rollers that the inner ring presses start where springs would have them, which is closer.
     idle = ~(near.load[:, :, :1] > 0.0)
     motion = np.where(idle, near.motion, np.nan)
     contacts = [[cut_into_strips(contact) for contact in row.bearing.contacts] for row in bearing.rows]
@@ -304,7 +303,7 @@ def _refine_by_strips(
     coarse, fine = (assemble(bearing, load, [(law, law) for law in laws]) for laws in (few, many))
     near = solve_balance(coarse, by_force, target, near.ring, depth, NEARBY, motion)
     near = solve_balance(fine, by_force, target, near.ring, depth, NEARBY, near.motion)
-    # Strips are laid for the contacts as they were when they were first met.
+    # The grids of strips were made for the contacts of the first step.
     for law in many:
         law.lay_anew()
     near = solve_balance(fine, by_force, target, near.ring, depth, motion=near.motion)
@@ -314,7 +313,7 @@ def _refine_by_strips(
 
 
 def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapLaw]], states: States) -> None:
-    """Refuse states whose contacts the maps do not hold."""
+    """Refuse states with contacts outside the maps."""
     for row, pair in zip(bearing.rows, laws, strict=True):
         for k, law in enumerate(pair):
             approach, tilt = (states.pose[:, row.rollers, k, column].ravel() for column in range(2))
@@ -327,7 +326,7 @@ def _refuse_beyond(bearing: RollerBearing | Paired, laws: Sequence[Sequence[MapL
 
 
 def _expected_depth(bearing: RollerBearing | Paired, acting: Prescribed) -> float:
-    """Return a penetration of the size to be expected [mm]."""
+    """Return an estimate of the penetration [mm]."""
     by_force, target = acting
     rows = [row.bearing for row in bearing.rows]
     pitch = max(row.pitch for row in rows)
@@ -344,13 +343,13 @@ def _expected_depth(bearing: RollerBearing | Paired, acting: Prescribed) -> floa
 def assemble(
     bearing: RollerBearing | Paired, load: Array, laws: Sequence[Sequence[ContactLaw]], *, nominal: bool = False
 ) -> System:
-    """Return the rollers with a law for each raceway of each row, and ribs; as ISO/TS 16281 has them if nominal."""
+    """Return the rollers with a contact law for each raceway of each row, and ribs; if nominal, as in ISO/TS 16281."""
     joints: list[Joint] = []
     load = load.copy()
     for row, of_row in zip(bearing.rows, laws, strict=True):
         angle, motions = row.bearing.nominal_angle, row.bearing.raceway_motions
         if nominal:
-            # The standard has nothing that holds tapered rollers along their axes: what presses on raceways is left.
+            # In the standard nothing holds tapered rollers along their axes: only the load on raceways counts.
             normal = np.array([math.sin(angle), math.cos(angle), 0.0])
             load[row.rollers] = np.outer(load[row.rollers] @ normal, normal)
             # Barrels align themselves; tapered rollers have the contact angle of the bearing at both rings.
