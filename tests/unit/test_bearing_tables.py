@@ -116,7 +116,7 @@ def test_states_without_a_balance_are_gaps(monkeypatch, tmp_path):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({}, "y = 0.0 must be an array if no other motion is"),
+        ({}, "y = 0.0 must be an array if no other displacement is"),
         ({"y": [0.0]}, r"y = \[0.0\] must be a number or two or more that ascend"),
         ({"z": [0.0, 0.0]}, r"z = \[0.0, 0.0\] must be a number or two or more that ascend"),
         ({"about_y": [0.0, 1.0]}, "must be a small angle"),

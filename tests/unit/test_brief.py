@@ -69,5 +69,20 @@ def test_measured_points_are_printed_by_their_range():
     assert repr(nh.measured.Measured(trace).levelled()) == "Measured(trace='roller 7', steps=(Level(),))"
 
 
+def test_inputs_print_as_they_are_typed() -> None:
+    """A material of the library by its name, a long row of numbers by its ends; a material of one's own in full."""
+    bearing_steel = nh.Roller(diameter=9.0, length=10.0, material=nh.MATERIALS["52100"])
+    assert repr(bearing_steel) == "Roller(material='100Cr6', diameter=9, length=10)"
+    own = nh.Material(modulus=150e3, poisson=0.3)
+    assert repr(nh.Plate(material=own)) == "Plate(material=Material(modulus=150000, poisson=0.3))"
+    y = np.linspace(-1.0, 1.0, 7)
+    assert (
+        repr(nh.profile.tabulated(y, 0.01 * y**2 / 3.0))
+        == "tabulated(y=(-1, ..., 1), relief=(0.00333333, ..., 0.00333333))"
+    )
+    listed = repr(nh.MATERIALS).splitlines()
+    assert "52100: Material(modulus=210000, poisson=0.3, hardness='58 HRC', pressure_limit=4000)" in listed
+
+
 def test_moments_that_are_rounding_are_printed_as_zero():
     assert "moment 0 to 0 N mm" in repr(nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41))

@@ -36,7 +36,7 @@ from typing import (
 
 from nonhertz.errors import InputError, InputsError
 from nonhertz.inputs.assumed import Assumed
-from nonhertz.inputs.descriptions import KINDS, Description, describe_field, find_remedy, unknown_key_error
+from nonhertz.inputs.descriptions import KINDS, Description, Part, describe_field, find_remedy, unknown_key_error
 
 AnyClass = TypeVar("AnyClass")
 Result = TypeVar("Result")
@@ -235,14 +235,26 @@ def short_repr(value: Any) -> str:
     values = {
         field.name: (getattr(value, field.name), default_of(field)) for field in dataclasses.fields(value) if field.repr
     }
-    arguments = (f"{name}={_short(actual)}" for name, (actual, usual) in values.items() if actual != usual)
+    described = getattr(value, "descriptions", {})
+    arguments = (
+        f"{name}={_short(_name_in(described.get(name), actual))}"
+        for name, (actual, usual) in values.items()
+        if actual != usual
+    )
     return f"{type(value).__name__}({', '.join(arguments)})"
+
+
+def _name_in(description: Description | None, value: Any) -> Any:
+    """Return the name by which an input can be given; the input itself if it has none."""
+    named = description.named if isinstance(description, Part) else {}
+    return next((name for name, other in named.items() if other == value), value)
 
 
 def _short(value: Any) -> str:
     """Return a value as a user would type it; only the first and last of many."""
     if isinstance(value, tuple) and len(value) > _MOST_SHOWN:
-        return f"({_short(value[0])}, ..., {_short(value[-1])})"
+        first, last = (f"{end:.6g}" if isinstance(end, float) else _short(end) for end in (value[0], value[-1]))
+        return f"({first}, ..., {last})"
     return repr(value).removesuffix(".0") if isinstance(value, float) else repr(value)
 
 

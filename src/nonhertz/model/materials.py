@@ -180,6 +180,9 @@ class _Materials(dict[str, Material]):
     def __missing__(self, name: object) -> Material:
         raise KeyError(str(unknown_word_error("name", name, "material", self, _LISTED)))
 
+    def __repr__(self) -> str:
+        return "\n".join(f"{name}: {material!r}" for name, material in self.items())
+
 
 #: Materials that a case file may refer to by name.
 MATERIALS = _Materials(
