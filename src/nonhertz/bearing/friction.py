@@ -153,17 +153,13 @@ class Friction(HasHtml):
         return power(self.torque, self.speed)
 
 
-def friction(
-    solution: BearingSolution, *, speed: float, viscosity: float, static: float, grease: bool = False
-) -> Friction | None:
+def friction(solution: BearingSolution, *, viscosity: float, static: float, grease: bool = False) -> Friction | None:
     """Return torque and power loss of a loaded bearing; None where no factors are published for it.
 
     Parameters
     ----------
     solution : BearingSolution
-        The loaded bearing; its series, bore and outside diameter must be known.
-    speed : float
-        Speed of the turning ring [1/min].
+        The loaded bearing, with its speed; its series, bore and outside diameter must be known.
     viscosity : float
         Viscosity of the oil, or of the grease's base oil, in the bearing [mm^2/s].
     static : float
@@ -178,9 +174,9 @@ def friction(
     mean = 0.5 * (row.bore + row.outside_diameter)
     f1 = load_factor(factors, equivalent_loads(solution)[1] / static)
     return Friction(
-        speed_torque(factors["f0"][_GREASE if grease else _OIL], viscosity, speed, mean),
+        speed_torque(factors["f0"][_GREASE if grease else _OIL], viscosity, solution.speed, mean),
         load_torque(f1, _decisive(row, axial, radial), mean),
-        speed,
+        solution.speed,
         0.0 if row.nominal_angle else axial,
     )
 

@@ -131,7 +131,6 @@ def limits(
     *,
     rating: Rating | None = None,
     clearance: OperatingClearance | None = None,
-    speed: float = 0.0,
     grease: bool = False,
     viscosity_ratio: float | None = None,
 ) -> tuple[Limit, ...]:
@@ -140,13 +139,11 @@ def limits(
     Parameters
     ----------
     solution : BearingSolution
-        The loaded bearing.
+        The loaded bearing, with its speed.
     rating : Rating or None
         Its load ratings.
     clearance : OperatingClearance or None
         Its fits in operation.
-    speed : float
-        Speed of the turning ring [1/min].
     grease : bool
         Whether it is lubricated by grease.
     viscosity_ratio : float or None
@@ -155,14 +152,14 @@ def limits(
     checks = [*_rings(clearance), *_preload(solution)]
     if rating is not None:
         checks += [
-            *_ribs(solution, rating.static, speed, grease, viscosity_ratio),
-            *_least_load(solution, rating, speed),
+            *_ribs(solution, rating.static, grease, viscosity_ratio),
+            *_least_load(solution, rating),
+            *_speed(solution, rating.static),
         ]
-        checks += _speed(solution, rating.static, speed)
     return (*checks, *_additives(viscosity_ratio))
 
 
-def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, ratio: float | None) -> Iterator[Limit]:
+def _ribs(solution: BearingSolution, static: float, grease: bool, ratio: float | None) -> Iterator[Limit]:
     axial, (_, radial) = axial_on_ribs(solution), axial_and_radial(solution)
     if not axial > 0.0 or not solution.each_rib_load.size:
         return
@@ -173,7 +170,7 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
         yield Limit(None, finding("rib-limit", words, load=newton(axial), what=what))
         return
     full = bool(row.of_series.get("full"))
-    by = rib_limit_skf(radial=radial, static=static, **sizes, speed=speed, full=full, grease=grease)
+    by = rib_limit_skf(radial=radial, static=static, **sizes, speed=solution.speed, full=full, grease=grease)
     reasons = "half the radial load", "the strength of ribs", "the heat on ribs"
     least = int(np.argmin(by))
     met = axial <= by[least]
@@ -183,7 +180,8 @@ def _ribs(solution: BearingSolution, static: float, speed: float, grease: bool, 
     other = ""
     if "rib" in row.of_series and not grease:
         mean = 0.5 * (sizes["bore"] + sizes["outside_diameter"])
-        allowed = rib_limit_schaeffler(row.of_series["rib"], radial=radial, mean_diameter=mean, speed=speed)
+        factor = row.of_series["rib"]
+        allowed = rib_limit_schaeffler(factor, radial=radial, mean_diameter=mean, speed=solution.speed)
         other = f"; Schaeffler 2006, oil sump: {newton(allowed):4}"
     amounts = {"load": newton(axial), "limit": newton(by[least])}
     yield Limit(met, finding("rib-limit", words, **amounts, reason=reasons[least], where=where, other=other))
@@ -197,8 +195,8 @@ def _missing_for_ribs(sizes: dict[str, Any], rows: int) -> str:
     return "manufacturers' rules apply to single rows" if rows > 1 else ""
 
 
-def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iterator[Limit]:
-    row, load = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0]
+def _least_load(solution: BearingSolution, rating: Rating) -> Iterator[Limit]:
+    row, load, speed = solution.bearing.rows[0].bearing, equivalent_loads(solution)[0], solution.speed
     # Preload, which P does not include, also prevents skidding.
     if not speed or not load > 0.0 or isinstance(row, CylindricalThrustBearing) or _is_preloaded(solution.bearing):
         return
@@ -211,7 +209,8 @@ def _least_load(solution: BearingSolution, rating: Rating, speed: float) -> Iter
     yield Limit(met, finding("least-load", words, **amounts, state=state, rule=rule))
 
 
-def _speed(solution: BearingSolution, static: float, speed: float) -> Iterator[Limit]:
+def _speed(solution: BearingSolution, static: float) -> Iterator[Limit]:
+    speed = solution.speed
     limit = reference_speed(solution.bearing, static) if speed else None
     if limit is None:
         return

@@ -204,15 +204,9 @@ class BearingCase(CaseBase):
 
         _check_loaded(solution)
         rating, viscosity = self._rating, self.lubrication.in_place.viscosity
-        if rating is None or viscosity is None or not self.prescribed.speed:
+        if rating is None or viscosity is None or not solution.speed:
             return None
-        return friction(
-            solution,
-            speed=self.prescribed.speed,
-            viscosity=viscosity,
-            static=rating.static,
-            grease=self.lubrication.grease,
-        )
+        return friction(solution, viscosity=viscosity, static=rating.static, grease=self.lubrication.grease)
 
     @property
     def thermal_speed(self) -> float | None:
@@ -226,14 +220,13 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.limits import limits
 
         _check_loaded(solution)
-        viscosity, speed = self.lubrication.in_place.viscosity, self.prescribed.speed
+        viscosity, speed = self.lubrication.in_place.viscosity, solution.speed
         reference = reference_viscosity(speed, self.bearing.rows[0].bearing.pitch) if speed else None
         ratio = None if viscosity is None or reference is None else viscosity / reference
         return limits(
             solution,
             rating=self._rating,
             clearance=self.operating_clearance,
-            speed=speed,
             grease=self.lubrication.grease,
             viscosity_ratio=ratio,
         )
