@@ -177,8 +177,7 @@ def served(environment: Environment) -> Iterator[tuple[str, bytes]]:
 
 def run_tests(environment: Environment, sdist: Path) -> None:
     """Run the tests of an unpacked sdist on what is installed."""
-    with tarfile.open(sdist) as archive:
-        archive.extractall(environment.folder, filter="data")
+    shutil.unpack_archive(sdist, environment.folder)
     sources = environment.folder / sdist.name.removesuffix(".tar.gz")
     environment.install("web", groups=sources / "pyproject.toml")
     words = ["-m", "pytest", "-q", "-m", "not slow and not campaign and not browser"]
