@@ -45,20 +45,18 @@ errors at the centre: [race-centre.svg](race-centre.svg).
 RULES = """\
 ## Rules
 
-- All plane grids solve the same equations on the same cells, rectangles of uniform pressure on half-spaces under a
-  load, and their solutions are checked to agree.
+- All plane grids solve the same equations on the same cells, rectangles of uniform pressure on half-spaces, and their
+  solutions are checked to agree.
 - Each has its loosest tolerance that ends within {approach} of the converged approach and {pressure} of the maximum
   pressure on its grid, a tenth of the target.
 - Plane grids get a rectangle that just encloses the contact, with sharp ends on edges of cells; strips find it. ASPHER
-  has only square cells on a square as long as the rectangle, most of them beside the contact, and no part in the common
-  grid.
+  has only square cells on a square as long as the rectangle, and no part in the common grid.
 - Set-up that a peer can reuse is not timed; ours is.
 - ContactMechanics and ASPHER run their fastest solver for a prescribed load: {winners}.
   tamaas starts from zero pressure. All are as pip installs them; pip builds ASPHER on this machine.
 - Each program, contact and grid has its own process: the median of at least five runs after a first, or of as many as
   fit into a second. Solves over {dearest} s are left out.
-- The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`), so that errors of
-  strips at the end of a contact count.
+- The reference of the logarithmic rollers comes from plane grids alone (`benchmarks/reference.py`).
 """
 
 
