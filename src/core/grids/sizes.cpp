@@ -16,7 +16,7 @@ constexpr double END_SHARE = 0.2;                     // of the distance over wh
 constexpr double GROWTH = 0.6, GROWTH_OUTSIDE = 1.2;  // of the distance from a feature
 // Up to the second from sharp ends, in half-widths, where the strength of the singularity is fitted.
 constexpr double GROWTH_AT_SHARP_ENDS = 0.2, NEAR_SHARP_ENDS = 1.5;
-constexpr double SAG = 0.016;  // of the interference: the largest sagitta of the profile over one strip
+constexpr double SAG = 0.016;        // of the interference: the largest sagitta of the profile over one strip
 constexpr double KINK_SHARE = 0.15;  // of the interference over the change of slope: the strip at a kink
 // No width is below this fraction of the region, or this many times the spacing of floating-point numbers there.
 constexpr double NARROWEST_EVER = 1e-9, ROUNDINGS = 1e4;
