@@ -48,10 +48,9 @@ class InputError(NonhertzError, ValueError):
         super().__init__(field, value, condition, remedy)
 
     def __str__(self) -> str:
-        # Python has no better words for a table of a file, an option without a value, or one that is missing.
-        wordless = isinstance(self.value, Mapping) or (
-            self.field.startswith("--") and (self.value is None or self.value is True)
-        )
+        # Python has no better words for a table of a file, an option without a value, or what is missing.
+        missing = self.value is None and (self.field.startswith("--") or self.condition.startswith("be given"))
+        wordless = missing or isinstance(self.value, Mapping) or (self.field.startswith("--") and self.value is True)
         problem = self.field if wordless else f"{self.field} = {shown(self.value)}"
         return f"{problem} must {self.condition}: {self.remedy}{'' if self.remedy.endswith('?') else '.'}"
 

@@ -37,6 +37,8 @@ def attach(
     home = {name: f"{package}.{module}" for module, names in homes.items() for name in names}
 
     def attribute(name: str) -> Any:
+        if name == "__all__":  # what help() lists
+            return sorted(home)
         if renamed and name in renamed:
             message = f"{package}.{name} is now {package}.{renamed[name]}; the old name goes with the next release"
             warnings.warn(message, DeprecationWarning, stacklevel=2)

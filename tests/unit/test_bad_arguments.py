@@ -42,11 +42,16 @@ NONSENSE: dict[str, Any] = {
     "complex": 1j,
     "complex array": np.array([1j]),
     "array": np.array(1.0),
+    "array of three": np.array([1.0, 2.0, 3.0]),
+    "speed": "3000 rpm",
+    "distance": "3 mm",
+    "force": "3 kN",
     "dictionary": {},
     "object": object(),
     "function": lambda *_: None,
 }
 ALL = set(NONSENSE)
+TEXTS = {"text", "empty text", "speed", "distance", "force"}
 NO_VALUE = {"object", "complex"}
 NO_NUMBER = {"text", "empty text", "true", "nan", "complex", "complex array", "dictionary", "object", "function"}
 NO_NUMBERS = NO_NUMBER | {"none", "ragged", "mixed", "words", "row with nan"}
@@ -80,8 +85,8 @@ OF_NAME = {
     "within": POSITIVE - {"inf"},
     "accuracy": ALL - {"array", "half", "tiny"},
     "callback": ALL - {"function"},
-    "out": ALL - {"text", "empty text"},
-    "strips": ALL - {"three", "row"},
+    "out": ALL - TEXTS,
+    "strips": ALL - {"three", "row", "array of three"},
 }
 
 
@@ -105,7 +110,7 @@ def of_field(each: descriptions.Description) -> set[str]:
             )
             return (NUMBER | more) - ({"function"} if words else set()) - own
         case descriptions.Word():
-            return ALL if words else ALL - {"text", "empty text"}
+            return ALL if words else ALL - TEXTS
     kinds = {
         descriptions.Count: COUNT,
         descriptions.Flag: OF_TYPE[bool],
@@ -139,7 +144,7 @@ def refused(call: Callable[..., Any], name: str, parameter: inspect.Parameter) -
     of = getattr(call, "descriptions", None) or getattr(profile.PARAMETERS.get(kind_of(call)), "descriptions", {})
     found = of_field(of[name]) if name in of else of_annotation(name, parameter.annotation)
     if parameter.annotation is str and inspect.isclass(call):  # a name or a title
-        found = found - {"text", "empty text"}
+        found = found - TEXTS
     return found - {"none"} if parameter.default is None else found
 
 

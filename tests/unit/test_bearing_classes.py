@@ -162,8 +162,8 @@ def test_where_a_limit_has_no_solution_there_are_no_numbers(solved, monkeypatch)
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('"k5"', '"k15"', "fit.shaft = 'k15' must be a known shaft: did you mean"),
-        ('"k5"', '"H7"', "fit.shaft = 'H7' must be a known shaft: did you mean 'h7'?"),
+        ('"k5"', '"k15"', "fit.shaft = 'k15' must be a known tolerance class of a shaft: did you mean"),
+        ('"k5"', '"H7"', "fit.shaft = 'H7' must be a known tolerance class of a shaft: did you mean 'h7'?"),
         ('"k5"', '{ fit = "x5" }', "fit.shaft.fit = 'x5' must be a known tolerance class: give"),
         (
             '"k5"',

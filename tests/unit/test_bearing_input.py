@@ -26,12 +26,25 @@ def tapered(**changes):
     [
         (lambda: cylindrical(rollers=0), "rollers = 0 must be a whole number from 1 to 1000"),
         (lambda: cylindrical(pitch_diameter=8.0), "none fits"),
-        (lambda: cylindrical(roller=nh.Body(diameter=9.0)), "roller.length = None must be given"),
+        (lambda: cylindrical(roller=nh.Body(diameter=9.0)), "roller.length must be given"),
         (lambda: cylindrical(clearance=-1.0), "clearance = -1.0 must lie between -0.465 and 0.465 mm, for displ"),
         (lambda: tapered(clearance=-20), "clearance = -20.0 must lie between -1.15 and 1.15 mm, for displacements"),
         (
             lambda: nh.bearing.solve(cylindrical(), radial=1e3, speed=1e9),
             "speed = 1000000000.0 must not exceed 4.11e+05",
+        ),
+        (
+            lambda: nh.bearing.paired(tapered(), "B", 20),
+            "must be one of 'X', 'O', 'tandem': 'X' is face to face, 'O' b",
+        ),
+        (
+            lambda: nh.study.diagram(nh.new_case(), "clearance", "0 : 1 um"),
+            "must be a BearingCase, or the name of a be",
+        ),
+        (lambda: nh.files.read_trace(None), "file = None must be the path of a file: give a string or a Path."),
+        (
+            lambda: nh.measured.Trace([1, 2, 3, 4, 5], [0]),
+            "must have 5 numbers, as y has, not 1: give one per position",
         ),
         (lambda: cylindrical(outer_shape=lambda angle: 0.0), "outer_shape = () must return 13 lengths"),
         (lambda: tapered(contact_angle=0.05), "contact_angle = 0.05 must exceed the rollers' cone angle"),
@@ -44,6 +57,12 @@ def test_what_cannot_be_is_refused_in_one_sentence(make, message):
         make()
     assert message in str(refused.value)
     assert str(refused.value).count("\n") == 0
+
+
+def test_text_with_a_unit_is_the_number():
+    loaded = nh.bearing.solve(cylindrical(), radial="1 kN", speed="50 Hz", method="slices")
+    assert loaded.speed == 3000.0
+    assert np.array_equal(loaded.load, nh.bearing.solve(cylindrical(), radial=1e3, speed=3e3, method="slices").load)
 
 
 def test_needles_on_a_huge_circle_are_no_overflow():

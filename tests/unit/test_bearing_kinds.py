@@ -231,7 +231,7 @@ def test_ceramic_rollers_have_their_density():
     assert loads["zirconia"] == pytest.approx(46.6 * 6.05 / 7.85, rel=1e-3)
     odd = nu206(material=nh.Material(modulus=50e3, poisson=0.3))
     assert odd.load_by_speed(0.0).tolist() == [0.0, 0.0, 0.0]
-    with pytest.raises(nh.InputError, match="density = None must be given for rollers that are neither of steel"):
+    with pytest.raises(nh.InputError, match="density must be given for rollers that are neither of steel"):
         odd.load_by_speed(1.0)
 
 

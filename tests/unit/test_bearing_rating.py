@@ -217,7 +217,7 @@ def test_axial_loads_on_ribs_are_in_no_life(radial, basic):
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"viscosity": 20.0}, "speed = None must be given with a viscosity"),
+        ({"viscosity": 20.0}, "speed must be given with a viscosity"),
         ({"viscosity": 20.0, "speed": 1e3, "contamination": 2.0}, "contamination = 2.0 must not exceed 1"),
         ({"reliability": 99.0}, "reliability = 99.0 must lie between 0.9 and 0.9995"),
         ({"edge_stress": "pressure"}, "edge_stress = 'pressure' must be 'standard' or 'none' for slices"),

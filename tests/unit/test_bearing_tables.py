@@ -131,7 +131,7 @@ def test_grids_that_are_none_are_refused(given, said):
 @pytest.mark.parametrize(
     ("kind", "given", "said"),
     [
-        ("linear", {"y": 0.0, "z": 0.0}, "about_z = None must be given: give y, z, about_z"),
+        ("linear", {"y": 0.0, "z": 0.0}, "about_z must be given: give y, z, about_z"),
         ("linear", {"y": 0.0, "z": 0.0, "about_z": 0.0, "x": 0.0}, "x = 0.0 must be left out: it does not vary"),
         ("linear", {"y": [0.0, 0.04], "z": 0.0, "about_z": 0.0}, "y = 0.04 must lie in the range of the table, -0.02"),
     ],

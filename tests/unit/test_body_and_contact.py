@@ -1,5 +1,6 @@
 """Bodies and contacts: where they are, how they are curved, and what is refused."""
 
+import inspect
 import math
 
 import numpy as np
@@ -168,13 +169,13 @@ def test_a_contact_collects_the_bends_of_both_bodies_in_order():
         (lambda: roller(profile="crown"), "profile = 'crown' must be a Profile"),
         (lambda: roller(side_faces=True), "side_faces = True must be one of 'free', 'mirror', 'calibrated', 'none' or"),
         (lambda: roller(side_faces=("mirror",)), "side_faces = ('mirror',) must be one value or two"),
-        (lambda: nh.Plate(side_faces=("mirror", "none")), "length = None must be given where side_faces = ('mirror', "),
+        (lambda: nh.Plate(side_faces=("mirror", "none")), "length must be given where side_faces = ('mirror', "),
         (lambda: roller(depth="paper"), "depth = 'paper' must be one of 'none', 'plane-strain', 'diameter', 'cylin"),
         (lambda: roller(images=0), "images = 0 must be 'series' or a whole number from 1 to 100"),
         (lambda: roller(images=True), "images = True must be 'series' or a whole number from 1 to 100"),
         (lambda: roller(images="series", depth="none"), "images = 'series' must only be used for a body with a depth"),
         (lambda: nh.Contact(roller(), "plate"), "b = 'plate' must be a Body"),
-        (lambda: nh.Contact(roller()), "b = None must be given: make one with Roller, Ring, Plate or Body"),
+        (lambda: nh.Contact(roller()), "b must be given: make one with Roller, Ring, Plate or Body"),
         (lambda: nh.TabulatedDiameter((0.0,), (20.0,)), "y = (0.0,) must hold as many points as diameter, at least"),
         (lambda: nh.TabulatedDiameter((0.0, 0.0), (20.0, 20.0)), "y = (0.0, 0.0) must be finite and ascending"),
         (lambda: nh.TabulatedDiameter((0.0, 1.0), (20.0, -20.0)), "diameter = (20.0, -20.0) must be finite and of one"),
@@ -185,6 +186,18 @@ def test_impossible_bodies_and_contacts_are_refused(make, complaint):
     with pytest.raises(nh.InputError) as refusal:
         make()
     assert str(refusal.value).startswith(complaint)
+
+
+def test_values_without_names_are_refused_with_the_names():
+    with pytest.raises(
+        TypeError, match=r"^Roller takes its values by name: choose from 'material', 'diameter', 'bore'"
+    ):
+        nh.Roller(20, 20)
+
+
+def test_the_signature_of_a_body_is_readable():
+    assert "| collections.abc.Callable | None = None, bore: float |" in str(inspect.signature(nh.Roller))
+    assert "_array_like" not in str(inspect.signature(nh.Roller))
 
 
 def test_a_diameter_that_vanishes_somewhere_is_refused_when_asked_for():

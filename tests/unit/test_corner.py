@@ -82,7 +82,7 @@ def test_bends_of_the_profile_beyond_the_land_are_not_there():
         (lambda: roller(corner_radius=10.0), "length = 20.0 must leave a land"),
         (lambda: roller(chamfer=CHAMFER), "corner_radius = 0.5 must not be given together with chamfer"),
         (lambda: roller(effective_length=18.0), "corner_radius = 0.5 must not be given together with effective_length"),
-        (lambda: nh.Plate(corner_radius=0.5), "length = None must be given where corner_radius is"),
+        (lambda: nh.Plate(corner_radius=0.5), "length must be given where corner_radius is"),
         (lambda: roller(corner_radius=None, chamfer=0.5), "chamfer = 0.5 must be a Chamfer"),
         (lambda: roller(profile=nh.profile.tabulated([-5.0, 5.0], [0.0, 0.0])), "must reach both ends of the land, y "),
         (lambda: nh.Chamfer(length=1.0, angle=1.6), "angle = 1.6 must lie between 0 and pi / 2"),

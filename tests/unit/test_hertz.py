@@ -106,7 +106,7 @@ def test_bodies_at_an_angle_have_the_gap_whose_curvatures_numpy_diagonalises():
         ({"angle": 0.1}, "radius_x = 10.0 must be a pair of radii other than zero where one radius is a pair or an"),
         ({"radius_x": (10.0, math.inf), "radius_y": (math.inf, math.inf), "angle": 0.1}, "radius_x = (10.0, inf) must"),
         ({"load": "1 kN"}, "load = '1 kN' must be a finite number: give the load in N"),
-        ({"load": None}, "load = None must be given: give either the load in N or the approach in mm."),
+        ({"load": None}, "load must be given: give either the load in N or the approach in mm."),
         ({"approach": 0.01}, "load = 1000.0 must be left out where approach = 0.01 is given"),
         ({"load": None, "approach": -0.01}, "approach = -0.01 must be positive: give the approach in mm"),
     ],
@@ -164,7 +164,7 @@ def test_materials_or_e_star_say_what_the_compliance_does(make):
     e_star = 1.0 / ((1.0 - 0.3**2) / 207e3 + (1.0 - 0.26**2) / 310e3)
     a, b = Material(modulus=207e3, poisson=0.3), Material(modulus=310e3, poisson=0.26)
     expected = dataclasses.astuple(make(compliance=1.0 / (math.pi * e_star)))
-    for pair in ({"e_star": e_star}, {"materials": (a, b)}):
+    for pair in ({"e_star": e_star}, {"materials": (a, b)}, {"materials": ("steel", "silicon-nitride")}):
         np.testing.assert_allclose(dataclasses.astuple(make(compliance=None, **pair)), expected, rtol=1e-14)
 
 
@@ -174,7 +174,8 @@ def test_materials_or_e_star_say_what_the_compliance_does(make):
         ({"compliance": None}, "must be given: give one of materials, e_star and compliance"),
         ({"e_star": 115e3}, "e_star = 115000.0 must be left out where compliance is given"),
         ({"materials": (STEEL, STEEL)}, "must be left out where compliance is given"),
-        ({"compliance": None, "materials": (STEEL,)}, "must be a pair of Materials"),
+        ({"compliance": None, "materials": (STEEL,)}, "must be a pair: "),
+        ({"compliance": None, "materials": ("stel", STEEL)}, "materials[0] = 'stel' must be a known material: did"),
         ({"compliance": None, "e_star": -1.0}, "e_star = -1.0 must"),
     ],
     ids=str,

@@ -2,6 +2,7 @@
 
 import ast
 import importlib
+import pydoc
 import subprocess
 import sys
 from pathlib import Path
@@ -56,3 +57,5 @@ def test_a_package_has_the_names_that_its_types_are_checked_by(name):
     names = [alias.name for node in nodes if isinstance(node, ast.ImportFrom) for alias in node.names]
     assert dir(package) == sorted({*names} - {"TYPE_CHECKING", "attach"})
     assert not hasattr(package, "nothing")
+    listed = pydoc.render_doc(package, renderer=pydoc.plaintext)
+    assert all(name in listed for name in dir(package))

@@ -333,7 +333,7 @@ def test_loads_on_strips_between_two_crowns_are_warned_of(mirror):
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        ({}, "load = None must be given where approach is not"),
+        ({}, "load must be given where approach is not"),
         ({"load": (0, 1.0), "approach": (0, 1.0)}, "load = .* must be given where approach is not"),
         ({"load": 5.0}, "load = 5.0 must be two ascending numbers"),
         ({"load": (-5.0, 1.0)}, "must not begin below zero"),

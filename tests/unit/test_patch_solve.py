@@ -83,7 +83,7 @@ REFUSED = [
     (BODIES_AS_THEY_COME, {"load": 1e9}, "must leave the half-width, about"),
     (BODIES_AS_THEY_COME, {"approach": 100.0}, "must leave the half-width, about"),
     (BODIES_AS_THEY_COME, {"load": 3e3, "gap": flat}, "below the 20 mm of body a"),
-    (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length = None must be given where nothing"),
+    (nh.Contact(nh.Body(diameter=10), nh.Plate()), {"load": 100.0}, "length must be given where nothing"),
     (
         CROWNED,
         {"load": 1e300},
@@ -186,6 +186,11 @@ def test_the_gap_is_that_of_the_bodies():
     # 1/rho = 2/20.8 + 2/60 at y = 4.
     found = undeformed_gap(contact, np.array([[0.0], [0.3]]), np.array([4.0]))
     np.testing.assert_allclose(found[:, 0], [0.0, 0.045 * (2.0 / 20.8 + 2.0 / 60.0)], rtol=1e-14, atol=0.0)
+
+
+def test_a_feature_may_return_a_whole_number_for_all_places():
+    plain, same = (nh.patch.solve(CROWNED, load=3e3, cells=SMALL, features=f) for f in ((), lambda x, y: 0))
+    assert same.approach == plain.approach
 
 
 def test_features_add_up():

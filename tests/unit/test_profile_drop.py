@@ -100,7 +100,7 @@ def test_a_crown_is_found_from_its_drop(radius, at, centre):
         (("crown", 0.02, 1e50), {}, "at = 1e+50 must be where some radius of 'crown' has a finite relief: "),
         (("crown", 0.02, AT), {"radus": 3000.0}, "Unknown parameter radus of 'crown'. Did you mean radius?"),
         (("crwn", 0.02, AT), {}, "kind = 'crwn' must be one of 'crown', "),
-        (("partial-crown", 0.02, AT), {}, "straight = None must be given, because the drop determines radius: "),
+        (("partial-crown", 0.02, AT), {}, "straight must be given, because the drop determines radius: "),
         (("partial-crown", 0.02, 5.0), {"straight": 12.0}, "at = 5.0 must be where the radius of 'partial-crown' ch"),
         (("two-radius", 0.02, 5.0), {"radius": 5e3, "middle": 12.0}, "at = 5.0 must be where the end_radius of "),
         (("logarithmic", -0.02, AT), {"length": LENGTH}, "drop = -0.02 must not make amplitude = -0.00859, which in"),

@@ -46,7 +46,7 @@ def refusal(contact=CONTACT, **arguments):
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        ({}, "load = None must be given"),
+        ({}, "load must be given"),
         (
             {"load": 1.0, "approach": 0.1},
             "approach = 0.1 must not be given together with load",

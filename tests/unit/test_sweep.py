@@ -377,6 +377,12 @@ def test_unknown_quantities_are_refused_with_the_nearest():
         nh.sweep(CASE, over={"load.load": [5e3]}, quantities=("max_presure",))
 
 
+def test_a_column_that_is_not_there_is_refused_with_the_nearest():
+    swept = nh.sweep(CASE, over={"load.load": [1e4]}, quantities=("max_pressure",), workers=1)
+    with pytest.raises(KeyError, match=r"Unknown column max_presure\. Did you mean max_pressure\?"):
+        swept["max_presure"]
+
+
 def test_nothing_varied_is_refused():
     with pytest.raises(nh.InputError, match="must vary something"):
         nh.sweep(CASE)

@@ -54,7 +54,8 @@ from nonhertz.model.materials import STEEL_EXPANSION, density_of, expansion_of
 def _of_seat(ring: str, of: type[Seat], classes: Iterable[str], example: str) -> Part:
     remedy = f"give a class such as '{example}', or make one with nonhertz.bearing.{of.__name__}"
     meaning = f"the seat of the {ring} ring: a class, or a table"
-    return Part(meaning, of, remedy, {name: of(fit=name) for name in classes})
+    noun = f"tolerance class of a {of.__name__.lower()}"
+    return Part(meaning, of, remedy, {name: of(fit=name) for name in classes}, noun=noun)
 
 
 _COLD = Assumed(f"ring at {REFERENCE:g} °C", IN_OPERATION)

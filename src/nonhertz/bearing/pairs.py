@@ -118,7 +118,7 @@ class Pair(Input):
         Word(
             "'X', face to face: the lines of pressure meet between the rows; 'O', back to back: they meet outside; or "
             "'tandem', both rows supporting axial loads along +x",
-            "write 'X', 'O' or 'tandem'",
+            "'X' is face to face, 'O' back to back",
             ARRANGEMENTS,
         ),
     ]

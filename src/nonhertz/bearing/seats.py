@@ -10,7 +10,7 @@ from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.fits import HOUSINGS, SHAFTS, Range, ring_limits, seat_limits
 from nonhertz.errors import InputError
 from nonhertz.inputs.assumed import Assumed
-from nonhertz.inputs.checks import finite, not_negative, number_that, positive
+from nonhertz.inputs.checks import finite, is_number, not_negative, number_that, positive
 from nonhertz.inputs.descriptions import Quantity, Word
 from nonhertz.inputs.fields import Input, cross_check, input_class
 from nonhertz.model.material import STEEL
@@ -31,7 +31,7 @@ _temperature = number_that(lambda value: COLDEST <= value <= HOTTEST, f"lie betw
 
 
 def _outside(name: str, value: float, remedy: str) -> None:
-    if value != math.inf:
+    if not is_number(value) or value != math.inf:
         positive(name, value, remedy)
 
 

@@ -13,6 +13,7 @@ from nonhertz.amounts import format_digits, format_input, mrad, um
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.mapped import BearingMaps
 from nonhertz.bearing.pairs import Paired
+from nonhertz.bearing.prescribed import BearingLoad
 from nonhertz.bearing.section import MOTIONS
 from nonhertz.bearing.standard import LAMINAE
 from nonhertz.bearing.verb import Method, solve_many
@@ -268,6 +269,7 @@ def table(
     if states > MOST_STATES:
         condition = f"be at most {MOST_STATES} points, not {states}"
         raise InputError("grid of " + ", ".join(axes), "too large", condition, "give fewer values")
+    speed = BearingLoad(speed=speed).speed
     options: dict[str, Any] = {"speed": speed, "turning": turning, "method": method, "laminae": laminae}
     grid = _grid(values)
     force, stiffness, converged = _solve_grid(bearing, grid.reshape(-1, 5), options)
@@ -284,7 +286,7 @@ def table(
     return ForceTable(
         bearing=bearing,
         method="strips" if isinstance(method, BearingMaps) else method,
-        speed=float(speed),
+        speed=speed,
         turning=turning,
         names=tuple(axes),
         axes=tuple(axes.values()),
@@ -319,7 +321,8 @@ def _solve_grid(
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return forces, stiffness and which states have converged; numbers are NaN where not."""
     parts = []
-    together = _BY_STRIPS if options["method"] == "strips" else _TOGETHER
+    method = options["method"]
+    together = _BY_STRIPS if isinstance(method, str) and method == "strips" else _TOGETHER
     for first in range(0, len(displacement), together):
         solutions = solve_many(bearing, displacement=displacement[first : first + together], **options)
         settled = solutions.converged

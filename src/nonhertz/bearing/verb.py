@@ -127,6 +127,7 @@ def solve(
     >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6840.0
     """
+    speed = BearingLoad(speed=speed).speed
     solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
@@ -139,7 +140,7 @@ def solve(
         remedy = "give forces that press the rings together, an axial one beside a moment, or check signs and units"
         raise ConvergenceError(f"{words}: the loads may leave the inner ring unsupported; {remedy}.", None)
     solution = BearingSolution.of(
-        bearing, solver.method, turning, float(speed), states, loaded, find_edge_rollers(system, states)
+        bearing, solver.method, turning, speed, states, loaded, find_edge_rollers(system, states)
     )
     try:
         findings = solution.findings
@@ -189,6 +190,7 @@ def solve_many(
     InputError
         If the input is invalid.
     """
+    speed = BearingLoad(speed=speed).speed
     solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
@@ -199,7 +201,7 @@ def solve_many(
     _, states = _solve_states(bearing, loaded, solver, maps, acting, thread_count(threads))
     arrays = {name: np.broadcast_to(value, shape) for name, value in inputs.items() if value is not None}
     return BearingSolutions.of(
-        bearing, solver.method, turning, float(speed), states, loaded, shape, name_axes(arrays, shape, "state")
+        bearing, solver.method, turning, speed, states, loaded, shape, name_axes(arrays, shape, "state")
     )
 
 
@@ -248,7 +250,7 @@ def _check_options(
         raise InputError("bearing", bearing, "be a bearing", remedy)
     maps = method if isinstance(method, BearingMaps) else None
     solver = BearingSolver(method="strips" if maps else method, laminae=laminae)
-    rate = PER_MINUTE * BearingLoad(speed=speed).speed
+    rate = PER_MINUTE * speed
     if maps is not None and maps.bearing != bearing:
         raise InputError("method", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
     rows = [row.bearing for row in bearing.rows]

@@ -122,8 +122,8 @@ def line_contact(
         ``e_star`` or ``materials``.
     e_star : float, optional
         Contact modulus E* = 1 / (pi K), with 1/E* = (1 - nu_a^2) / E_a + (1 - nu_b^2) / E_b [MPa].
-    materials : pair of Material, optional
-        Materials of body a and body b.
+    materials : pair of Material or str, optional
+        Materials of body a and body b, or their names.
 
     Returns
     -------

@@ -8,11 +8,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.model.material import check_poisson
+
 #: Depths below the middle of a Hertzian contact, over its radius or half-width, at which stress is evaluated.
 DEPTHS: Final = np.linspace(0.0, 20.0, 20001)
 
 
-@functools.cache
 def onset_of_yield(poisson: float) -> tuple[float, float]:
     """Return the maximum pressure over the yield strength at which circular and line contacts begin to yield [-].
 
@@ -22,7 +23,12 @@ def onset_of_yield(poisson: float) -> tuple[float, float]:
     Parameters
     ----------
     poisson : float
-        Poisson's ratio of the body [-].
+        Poisson's ratio of the body [-], in (-1, 0.5].
+
+    Raises
+    ------
+    InputError
+        If Poisson's ratio is out of range.
 
     References
     ----------
@@ -30,9 +36,16 @@ def onset_of_yield(poisson: float) -> tuple[float, float]:
 
     Examples
     --------
-    >>> [round(each, 2) for each in onset_of_yield(0.3)]
-    [1.61, 1.79]
+    >>> circle, line = onset_of_yield(0.3)
+    >>> round(circle, 2), round(line, 2)
+    (1.61, 1.79)
     """
+    check_poisson("poisson", poisson)
+    return _onset_of_yield(float(poisson))
+
+
+@functools.cache
+def _onset_of_yield(poisson: float) -> tuple[float, float]:
     return tuple(1.0 / float(stress.max()) for stress in von_mises_on_axis(poisson))  # type: ignore[return-value]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.model.material import Material
+from nonhertz.model.materials import NamedMaterial
 
 Array = NDArray[np.float64]
-Materials = tuple[Material, Material]
+Materials = tuple[Material | str, Material | str]
 
 PLACES_REMEDY = "give positions in mm"
+_MATERIAL = get_args(NamedMaterial)[1]
 
 
 def total_compliance(compliance: float | None, e_star: float | None, materials: Materials | None) -> float:
@@ -27,9 +29,9 @@ def total_compliance(compliance: float | None, e_star: float | None, materials: 
         condition = f"be left out where {names[0]} is given" if names else "be given"
         raise InputError(name, values[name], condition, "give one of materials, e_star and compliance")
     if materials is not None:
-        if not (isinstance(materials, tuple | list) and [isinstance(one, Material) for one in materials] == [True] * 2):
-            raise InputError("materials", materials, "be a pair of Materials", "give those of body a and body b")
-        return materials[0].compliance + materials[1].compliance
+        if not (isinstance(materials, tuple | list) and len(materials) == 2):
+            raise InputError("materials", materials, "be a pair", "give those of body a and body b")
+        return float(sum(_MATERIAL.validate(f"materials[{i}]", one).compliance for i, one in enumerate(materials)))
     if e_star is not None:
         positive("e_star", e_star, "give 1 / ((1 - nu_a^2) / E_a + (1 - nu_b^2) / E_b) in MPa")
         return 1.0 / (math.pi * float(e_star))

@@ -146,8 +146,8 @@ def point_contact(
         ``e_star`` or ``materials``.
     e_star : float, optional
         Contact modulus E* = 1 / (pi K), with 1/E* = (1 - nu_a^2) / E_a + (1 - nu_b^2) / E_b [MPa].
-    materials : pair of Material, optional
-        Materials of body a and body b.
+    materials : pair of Material or str, optional
+        Materials of body a and body b, or their names.
     angle : float
         Angle from x of body a to x of body b [rad], where radii are pairs.
     load : float, optional
@@ -181,8 +181,7 @@ def point_contact(
 
     Examples
     --------
-    >>> from nonhertz.model.material import STEEL
-    >>> round(point_contact(load=1000, radius_x=10, radius_y=100, materials=(STEEL, STEEL)).max_pressure)
+    >>> round(point_contact(load=1000, radius_x=10, radius_y=100, materials=("steel", "steel")).max_pressure)
     1546
     >>> contact = point_contact(load=1000, radius_x=10, radius_y=100, compliance=2.8e-6)
     >>> round(contact.half_width, 4), round(contact.half_length, 4), round(contact.approach, 6)

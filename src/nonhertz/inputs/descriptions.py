@@ -179,7 +179,7 @@ class Word:
 
     def validate(self, name: str, value: Any) -> Any:
         """Return the word."""
-        if self.noun and value not in self.words:
+        if self.noun and not (isinstance(value, str) and value in self.words):
             raise unknown_word_error(name, value, self.noun, self.words, self.remedy)
         if self.words:
             one_of(name, value, self.words, self.remedy)
@@ -205,6 +205,8 @@ class Part:
         Inputs that can be given by name.
     likely : callable or None
         Returns the class from the fields of a table without a kind; ``of`` if left out.
+    noun : str
+        Collective name of the names; that of the class if left out.
     """
 
     meaning: str
@@ -212,12 +214,13 @@ class Part:
     remedy: str
     named: Mapping[str, Any] = field(default_factory=dict)
     likely: Callable[[Mapping[str, Any]], type[Any]] | None = None
+    noun: str = ""
 
     def validate(self, name: str, value: Any) -> Any:
         """Return the input, looked up if given by name."""
         if self.named and isinstance(value, str):
             if value not in self.named:
-                raise unknown_word_error(name, value, self.of.__name__.lower(), self.named, self.remedy)
+                raise unknown_word_error(name, value, self.noun or self.of.__name__.lower(), self.named, self.remedy)
             return self.named[value]
         if not isinstance(value, self.of):
             article = "an" if self.of.__name__[0] in "AEIOU" else "a"
@@ -397,7 +400,7 @@ def unknown_word_error(field: str, value: object, what: str, known: Iterable[str
     """
     known = tuple(known)
     match = nearest(value, known)
-    remedy = f"did you mean '{match}'?" if match else otherwise or _list_choices(known)
+    remedy = f"did you mean '{match}'?" if match else otherwise or list_choices(known)
     return InputError(field, value, f"be a known {what}", remedy)
 
 
@@ -406,10 +409,11 @@ def unknown_key_error(
 ) -> UnknownKeyError:
     """Return the error for an unknown name; it suggests the closest known name, or lists all if none is close."""
     known = tuple(known)
-    return UnknownKeyError(name, value, nearest(name, known), _list_choices(known), noun, owner)
+    return UnknownKeyError(name, value, nearest(name, known), list_choices(known), noun, owner)
 
 
-def _list_choices(known: Iterable[str]) -> str:
+def list_choices(known: Iterable[str]) -> str:
+    """Return the remedy that lists known words."""
     return "choose from " + ", ".join(f"'{name}'" for name in known)
 
 

@@ -13,6 +13,7 @@ import dataclasses
 import functools
 import inspect
 import itertools
+import operator
 import re
 import sys
 import textwrap
@@ -36,7 +37,15 @@ from typing import (
 
 from nonhertz.errors import InputError, InputsError
 from nonhertz.inputs.assumed import Assumed
-from nonhertz.inputs.descriptions import KINDS, Description, Part, describe_field, find_remedy, unknown_key_error
+from nonhertz.inputs.descriptions import (
+    KINDS,
+    Description,
+    Part,
+    describe_field,
+    find_remedy,
+    list_choices,
+    unknown_key_error,
+)
 
 AnyClass = TypeVar("AnyClass")
 Result = TypeVar("Result")
@@ -297,10 +306,19 @@ def _name_alternative(kind: Any) -> str:
     return words.get(origin) or str(kind.__name__).replace("NoneType", "None")
 
 
+def _readable(kind: Any) -> Any:
+    """Return a type for a signature: of functions without their types, which take ten lines in ``help``."""
+    if get_origin(kind) is Callable:
+        return Callable
+    if isinstance(kind, types.UnionType):
+        return functools.reduce(operator.or_, map(_readable, get_args(kind)))
+    return kind
+
+
 def strip_signature(function: Callable[..., Any], hints: Mapping[str, Any]) -> inspect.Signature:
     """Return the signature of a function with these types, without the descriptions of its parameters."""
     signature = inspect.signature(function)
-    plain = [p.replace(annotation=hints.get(p.name, p.annotation)) for p in signature.parameters.values()]
+    plain = [p.replace(annotation=_readable(hints.get(p.name, p.annotation))) for p in signature.parameters.values()]
     return signature.replace(parameters=plain, return_annotation=hints.get("return", signature.return_annotation))
 
 
@@ -308,9 +326,12 @@ def _make_constructor(cls: type[Any]) -> Callable[..., None]:
     """Return the constructor of an input, whose errors suggest a field for an unknown name and list missing fields."""
     plain = cls.__init__
     names = [field.name for field in dataclasses.fields(cls) if field.init]
+    by_name_only = all(field.kw_only for field in dataclasses.fields(cls) if field.init)
 
     @functools.wraps(plain)
     def constructor(self: Any, *values: Any, **keywords: Any) -> None:
+        if values and by_name_only:
+            raise TypeError(f"{cls.__name__} takes its values by name: {list_choices(names)}.")
         for name, value in keywords.items():
             if name not in names:
                 raise TypeError(str(unknown_key_error(name, value, names, "field", cls.__name__)))

@@ -49,10 +49,12 @@ def read_input_file(field: str, path: str | os.PathLike[str], most: int) -> tupl
     InputError
         If it cannot be read, or is larger than ``most`` bytes.
     """
+    if not isinstance(path, str | os.PathLike):
+        raise InputError(field, path, "be the path of a file", "give a string or a Path")
     try:
         name = printable_name(Path(path).name or str(path))
         return read_bytes(path, most), name
-    except (OSError, ValueError, TypeError) as error:  # ValueError: not a valid file name; TypeError: not a name
+    except (OSError, ValueError) as error:  # ValueError: not a valid file name
         if getattr(error, "errno", None) == errno.EFBIG:
             condition, remedy = f"be no larger than {most // 1_000_000} MB", "export fewer points"
             raise InputError(field, name, condition, remedy) from None

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from nonhertz.amounts import mm
 from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.findings import Finding, HasFindings, finding
-from nonhertz.inputs.checks import check_callback, flag, not_negative, positive, whole
+from nonhertz.inputs.checks import check_callback, flag, is_number, not_negative, positive, whole
 from nonhertz.life.assessment import ratio
 from nonhertz.life.catalogue import STRESSES, VolumeModel
 from nonhertz.life.volume import Exposure, depths, exposure, integrate_over_depth, levels
@@ -109,7 +109,7 @@ class Overrolled(HasFindings, ReadOnly):
             Distance from the middle of the dent [mm], in either direction, up to which points count: the excess hardly
             changes with it beyond a half-width or two from the rim.
         """
-        if within != math.inf:
+        if not is_number(within) or within != math.inf:
             positive("within", within, "give a distance from the middle of the dent in mm")
         x, y = np.abs(self.x) <= within, np.abs(self.y - self.dent.y) <= within
         added = self.density(model) - self.density(model, dented=False)

@@ -3,7 +3,7 @@
 A `Trace` is a raw measurement. `prepare` returns it with the usual steps, `Measured` is any trace with any steps, and
 each step (`Level`, `Align`, `Trim`, `Outliers`, `Smooth`, `Thin`) can be inspected, changed or left out; the raw trace
 is never modified. `Measured.profile()` is a profile like any other, `Measured.fit` the best fit from the catalogue,
-`Measured.warnings` are doubts before solving with it. `nonhertz.files.traces.read_trace` reads files.
+`Measured.warnings` are doubts before solving with it. `nonhertz.files.read_trace` reads files.
 """
 
 from typing import TYPE_CHECKING

@@ -95,7 +95,7 @@ class Measured(ShortRepr, HasHtml):
 
     def __post_init__(self) -> None:
         if not isinstance(self.trace, Trace):
-            raise InputError("trace", self.trace, "be a Trace", "read one with nonhertz.files.traces.read_trace")
+            raise InputError("trace", self.trace, "be a Trace", "read one with nonhertz.files.read_trace")
         steps = check_list("steps", self.steps, "be a list of steps", "give Level(), Align() and the like")
         for step in steps:
             if not (isinstance(getattr(step, "name", None), str) and callable(getattr(step, "apply", None))):
@@ -332,7 +332,7 @@ class Measured(ShortRepr, HasHtml):
 
 @validate_call
 def prepare(
-    trace: Annotated[Trace, Part("the raw measurement", Trace, "read one with nonhertz.files.traces.read_trace")],
+    trace: Annotated[Trace, Part("the raw measurement", Trace, "read one with nonhertz.files.read_trace")],
     *,
     level: Annotated[bool, Flag("whether to remove the tilt of the body in the measuring machine")] = True,
     align: Annotated[

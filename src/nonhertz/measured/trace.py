@@ -56,7 +56,8 @@ class Points(ShortRepr):
     def __post_init__(self) -> None:
         y, height = _read_only("y", self.y), _read_only("height", self.height)
         if len(y) != len(height):
-            raise InputError("height", f"{len(height)} numbers", f"be as many as y, {len(y)}", "give one per position")
+            condition = f"have {len(y)} numbers, as y has, not {len(height)}"
+            raise InputError("height", height, condition, "give one per position")
         if len(y) < FEWEST_POINTS:
             condition = f"be at least {FEWEST_POINTS}"
             raise InputError("points", len(y), condition, "measure more of the line or cut less away")

@@ -156,7 +156,7 @@ def _call_function(name: str, function: Feature, x: Array, y: Array) -> Array:
         raise InputError(name, function, "return the broadcast shape of x and y", _RETURN) from None
     if heights.dtype.kind not in "fiu":
         raise InputError(name, function, f"return real numbers, not {heights.dtype.name}", _RETURN)
-    lowest = heights.min(initial=np.inf)
+    lowest = heights.min() if heights.size else np.inf  # initial=inf fails for integers
     if np.isnan(lowest) or lowest == -np.inf:
         i = np.unravel_index(int(np.argmin(np.where(np.isnan(spread), -np.inf, spread))), spread.shape)
         place = f"x = {np.broadcast_to(x, spread.shape)[i]:.6g}, y = {np.broadcast_to(y, spread.shape)[i]:.6g}"

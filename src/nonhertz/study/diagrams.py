@@ -192,7 +192,9 @@ def diagram(
         such as ``"clearance"``, which for a pair is that of the pair; ``"load"`` is the radial load.
     values : str or sequence of float
         Its values: a range such as ``"0 : 60 um"``, with 41 values, or ``"0 : 60 um : 21"``, or numbers in the base
-        unit. workers, callback As for `nonhertz.sweep`; by slices one process by default.
+        unit.
+    workers, callback
+        As for `nonhertz.sweep`; by slices one process by default.
 
     Returns
     -------
@@ -203,25 +205,23 @@ def diagram(
     CaseError
         If the file has mistakes.
     InputError
-        If there is no such input, values are invalid, or no value has a solution.
+        If it is not a bearing, there is no such input, values are invalid, or no value has a solution.
 
     Examples
     --------
     >>> import nonhertz as nh
-    >>> import tempfile
-    >>> from nonhertz.files.starting import starting_bearing
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     path = Path(folder, "nu206.toml")
-    ...     _ = path.write_text(starting_bearing(), encoding="utf-8")
-    ...     case = nh.read_bearing(path, {"solver.method": "slices"})
-    >>> made = diagram(case, "clearance", "0 : 60 um : 4")
+    >>> case = nh.new_bearing(changes={"solver.method": "slices"})
+    >>> made = nh.study.diagram(case, "clearance", "0 : 60 um : 4")
     >>> [quantity.name for quantity in made.quantities]
     ['modified_life', 'max_load', 'stiffness_y', 'least_film']
     >>> clearance, life = made.longest_life
     >>> round(1e3 * clearance), round(life)
     (0, 107)
     """
-    case = case if isinstance(case, BearingCase) else read_bearing(case)
+    if not isinstance(case, BearingCase | str | Path):
+        condition = "be a BearingCase, or the name of a bearing file"
+        raise InputError("case", case, condition, "make one with nonhertz.BearingCase or nonhertz.new_bearing")
+    case = read_bearing(case) if isinstance(case, str | Path) else case
     plan = Plan(case)
     if workers is None and case.solver.method == "slices":
         workers = 1  # slices take less time than starting a process

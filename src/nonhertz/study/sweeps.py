@@ -28,6 +28,7 @@ from nonhertz.files.spreads import Distribution
 from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, write_workbook
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import check_callback, thread_count
+from nonhertz.inputs.descriptions import unknown_key_error
 from nonhertz.result.brief import HasHtml, plain_text, shorten
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
@@ -205,14 +206,15 @@ class Sweep(HasHtml):
         KeyError
             If the rows have no such column.
         """
+        name = self._known(name, *self.paths)
         units = {quantity.name: quantity.unit for quantity in self.quantities}
         varied = self.plan.template.known[name].unit if name in self.paths else None
-        return units.get(self._known(name, *self.paths)) or varied or ""
+        return units.get(name) or varied or ""
 
     def _known(self, name: str, *others: str) -> str:
         known = (*others, *(quantity.name for quantity in self.quantities))
         if not isinstance(name, str) or name not in known:
-            raise KeyError(f"{name!r} is none of {', '.join(known)}")
+            raise KeyError(str(unknown_key_error(str(name), name, known, "column")))
         return name
 
     def to_dataframe(self) -> pd.DataFrame:

@@ -204,10 +204,11 @@ def check_solution(solution: object) -> Solved:
 
 def check_body(name: object) -> BodyName:
     """Return the name of a body, or reject anything but "a" and "b"."""
-    if name == "a":
-        return "a"
-    if name == "b":
-        return "b"
+    if isinstance(name, str):
+        if name == "a":
+            return "a"
+        if name == "b":
+            return "b"
     raise InputError("body", name, "be one of the two bodies", _BODY_REMEDY)
 
 

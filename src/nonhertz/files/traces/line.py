@@ -46,7 +46,7 @@ _WHICH = "give its number from 1, or its name"
 
 @input_class()
 class Request(Input):
-    """The caller's options for a file; see `nonhertz.files.traces.read_trace`."""
+    """The caller's options for a file; see `nonhertz.files.read_trace`."""
 
     name: Annotated[str, Word("name of the file in messages", "give its name", condition=text)]
     position_unit: Annotated[
