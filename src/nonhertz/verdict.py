@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from nonhertz.bearing.film import Films
     from nonhertz.bearing.limits import Limit
     from nonhertz.bearing.operating import OperatingClearance
+    from nonhertz.bearing.roller_bearing import RollerBearing
     from nonhertz.bearing.solution import BearingSolution
 
 #: Words for a check that is passed.
@@ -43,6 +44,7 @@ _PASSED: Final = {
     "film": "lambda of at least 1",
     "rib-limit": "axial load as permitted",
 }
+_PARTS: Final = {"roller": "the roller", **{ring: f"the {ring} ring" for ring in RINGS}}
 #: Findings on ends and corners have a line of their own; all other findings strain the model.
 _OF_ENDS: Final = ("sharp-end", "corner-end", "corner-peak")
 _MOST_MATERIALS: Final = 12  # in one study; the worst row of each is solved once more
@@ -259,10 +261,14 @@ def judge_bearing(
     findings += _order_checks(checks)
     findings += [*_judge_rating(life), *_judge_films(films)]
     findings += [(_OF_LIMIT[met], item) for met, item in limits]
-    row = solution.bearing.rows[0].bearing
-    parts = {"the roller": row.roller, **{f"the {ring} ring": getattr(row, ring) for ring in RINGS}}
     if findings or solution.load.any():
-        findings += _unknown({name: part.material for name, part in parts.items()})
+        findings += _unknown(
+            {
+                f"{name}{of}": getattr(row, part).material
+                for of, row, _ in _different_rows(solution)
+                for part, name in _PARTS.items()
+            }
+        )
     if not findings:
         return None
     return _make_verdict([*findings, *_list_strains(collect_findings(solution, life, clearance))], checks)
@@ -295,14 +301,14 @@ def _judge_films(films: Films | None) -> Iterator[tuple[Level, Finding]]:
     which ISO 281 counts by kappa, and additives are recommended (SKF 2018, page 102). But film and pressure then
     differ from those of the smooth surfaces that the model assumes.
     """
-    parameter = None if films is None or films.least is None else films.film_parameter
-    if films is not None and parameter is not None:
-        smallest = float(parameter[films.least])
+    at = None if films is None else films.least_parameter
+    if films is not None and films.film_parameter is not None and at is not None:
+        smallest = float(films.film_parameter[at])
         enough = smallest >= 1.0
         state = "below 1: the film does not part the surfaces, which shortens the life unless additives protect them"
         if enough:
             state = "of at least 3: the film parts them" if smallest >= 3.0 else "between 1 and 3: their peaks touch"
-        words = f"The film parameter lambda of the least film is {{parameter:.3g}}, {state}."
+        words = f"The smallest film parameter lambda is {{parameter:.3g}}, {state}."
         yield Level.MET if enough else Level.STRAINED, finding("film", words, parameter=smallest)
 
 
@@ -316,14 +322,29 @@ def _judge_fits(clearance: OperatingClearance | None) -> Iterator[tuple[Level, F
 
 
 def _check_contacts(solution: BearingSolution) -> Iterator[Check]:
-    """Yield the checks of the contact with the maximum pressure at each ring."""
-    for k, ring in enumerate(RINGS):
-        roller = int(np.argmax(solution.max_pressure[:, k]))
-        contact = solution.contact(roller, ring)
-        if contact is not None:
-            where = f", between {solution.place_of(roller)} and the {ring} ring,"
-            for body, called in zip(BODIES, ("the roller", f"the {ring} ring"), strict=True):
-                yield from judge(contact, body=body, called=called, where=where)
+    """Yield the checks of the contact with the maximum pressure at each ring of every different row."""
+    for of, _, rollers in _different_rows(solution):
+        for k, ring in enumerate(RINGS):
+            roller = rollers[int(np.argmax(solution.max_pressure[rollers, k]))]
+            contact = solution.contact(roller, ring)
+            if contact is not None:
+                where = f", between {solution.place_of(roller)} and the {ring} ring,"
+                for body, part in zip(BODIES, ("roller", ring), strict=True):
+                    yield from judge(contact, body=body, called=f"{_PARTS[part]}{of}", where=where)
+
+
+def _different_rows(solution: BearingSolution) -> list[tuple[str, RollerBearing, list[int]]]:
+    """Return the different rows: whose parts they are in words, the row, and the rollers of all rows like it."""
+    rows = solution.bearing.rows
+    different: list[tuple[str, RollerBearing, list[int]]] = []
+    for number, row in enumerate(rows, start=1):
+        rollers = range(row.rollers.start, row.rollers.stop)
+        alike = next((others for _, other, others in different if other == row.bearing), None)
+        if alike is None:
+            different.append((f" of row {number}", row.bearing, list(rollers)))
+        else:
+            alike += rollers
+    return different if len(different) > 1 else [("", *entry[1:]) for entry in different]
 
 
 def _order_checks(checks: Iterable[Check]) -> Iterator[tuple[Level, Finding]]:

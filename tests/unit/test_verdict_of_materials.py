@@ -31,6 +31,30 @@ def of_material(solution, material):
     return replace(solution, contact=replace(contact, **bodies))
 
 
+def test_every_row_is_judged_by_its_own_material():
+    def row(material):
+        rings = {
+            "inner": nh.Ring(diameter=37.5, material=material),
+            "outer": nh.Ring(diameter=-55.5, material=material),
+        }
+        roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=1500), material=material)
+        return nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13)
+
+    hard, soft = row(nh.MATERIALS["100Cr6"]), row(nh.Material(210e3, 0.3, yield_strength=300.0))
+    pair = nh.bearing.Paired(bearings=(hard, soft), x=(-10.0, 10.0), turned=(False, False))
+    # The moment loads the first row more.
+    solution = nh.bearing.solve(pair, radial=8e3, moment=-20e3)
+    first, second = (solution.max_pressure[row.rollers].max() for row in pair.rows)
+    assert 1.8 * 300.0 < second < first < 4000.0
+    verdict = judge_bearing(solution, None, None)
+    assert verdict.level is Level.NOT_MET
+    assert verdict.sentence.startswith(f"The roller of row 2 yields: the maximum pressure of {second:.1f} MPa")
+    unknown = nh.bearing.Paired(bearings=(hard, row(nh.Material(210e3, 0.3))), x=(-10.0, 10.0), turned=(False, False))
+    sentences = [str(finding) for finding in judge_bearing(nh.bearing.solve(unknown, radial=8e3), None, None).findings]
+    whose = "the roller of row 2, the inner ring of row 2 and the outer ring of row 2"
+    assert f"No limit is known of the material of {whose}: give its yield strength or pressure limit." in sentences
+
+
 @pytest.mark.parametrize("poisson", [0.0, 0.2, 0.3, 0.45])
 def test_onset_of_yield_is_that_of_the_stress_on_the_axis(poisson):
     """Against the stresses of Johnson (3.45) for a circle and the potential of a line (4.45), each by an own route."""

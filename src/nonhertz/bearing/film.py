@@ -132,8 +132,8 @@ class Films(ShortRepr, HasHtml):
     ----------
     solution : BearingSolution
         The loaded bearing.
-    kinematics : Kinematics
-        Its speeds.
+    kinematics : tuple of Kinematics
+        The speeds of every row.
     lubrication : Lubrication
         Its oil.
     contacts : tuple of ContactFilm
@@ -141,7 +141,7 @@ class Films(ShortRepr, HasHtml):
     """
 
     solution: BearingSolution
-    kinematics: Kinematics
+    kinematics: tuple[Kinematics, ...]
     lubrication: Lubrication
     contacts: tuple[ContactFilm, ...]
 
@@ -179,29 +179,42 @@ class Films(ShortRepr, HasHtml):
     @property
     def least(self) -> tuple[int, int] | None:
         """Roller and ring, 0 or 1, of the least film of all; None without load."""
-        if not self.contacts:
-            return None
-        roller, ring = np.unravel_index(int(np.nanargmin(self.least_film)), self.least_film.shape)
-        return int(roller), int(ring)
+        return _place_of_least(self.least_film) if self.contacts else None
+
+    @property
+    def least_parameter(self) -> tuple[int, int] | None:
+        """Roller and ring of the smallest lambda of all; None without load or a roughness.
+
+        Where the rings differ in roughness, it need not be where the film is least.
+        """
+        parameter = self.film_parameter
+        return None if parameter is None or not self.contacts else _place_of_least(parameter)
 
     @cached_property
     def roughness(self) -> Array | None:
-        """Rq of roller and ring together at both rings [mm], shape (2,); None where one is not known."""
-        row = self.solution.bearing.rows[0].bearing
-        known = [part.roughness for part in (row.roller, row.inner, row.outer)]
-        if any(value is None for value in known):
-            return None
-        roller, *rings = known
-        together: Array = np.hypot(np.array(rings, dtype=float), float(roller or 0.0))
-        return together
+        """Rq of roller and ring together at every contact [mm], shape (rollers, 2); None where one is not known."""
+        rows = []
+        for row in (row.bearing for row in self.solution.bearing.rows):
+            known = [part.roughness for part in (row.roller, row.inner, row.outer)]
+            if any(value is None for value in known):
+                return None
+            roller, *rings = np.array(known, dtype=float)
+            rows.append(np.tile(np.hypot(rings, roller), (row.rollers, 1)))
+        return np.concatenate(rows)
 
     @property
     def rib_sliding(self) -> Array:
-        """Sliding speed of the rollers' ends on load-supporting ribs of each ring [mm/s], shape (2,); NaN without."""
-        speeds, motion = np.full(len(RINGS), np.nan), self.kinematics
-        for rib in self.solution.bearing.rows[0].bearing.rib_contacts:
-            speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
-            speeds[RINGS.index(rib.ring)] = PER_MINUTE * abs(speed - abs(motion.roller_speed) * rib.height)
+        """Sliding speed of the rollers' ends on load-supporting ribs of each ring [mm/s], shape (2,); NaN without.
+
+        That of the row with the largest.
+        """
+        speeds = np.full(len(RINGS), np.nan)
+        for row, motion in zip(self.solution.bearing.rows, self.kinematics, strict=True):
+            for rib in row.bearing.rib_contacts:
+                ring = RINGS.index(rib.ring)
+                speed = abs(getattr(motion, f"{rib.ring}_speed") - motion.cage_speed) * rib.radius
+                sliding = PER_MINUTE * abs(speed - abs(motion.roller_speed) * rib.height)
+                speeds[ring] = np.fmax(speeds[ring], sliding)
         return speeds
 
     @property
@@ -261,12 +274,13 @@ def films(
         raise InputError(
             "lubrication", lubrication, "have a viscosity", "give an oil with its temperature, or a viscosity"
         )
-    bearing = solution.bearing.rows[0].bearing
-    motion = bearing.kinematics(**{f"{solution.turning}_speed": speed})
+    rows = solution.bearing.rows
+    motions = tuple(row.bearing.kinematics(**{f"{solution.turning}_speed": speed}) for row in rows)
     count = whole("laminae", laminae, FEWEST, MOST, "give the number of laminae, such as 41")
     oil = lubrication.dynamic_viscosity, lubrication.pressure_coefficient or 0.0
     along = _along_strips(solution) if solution.method == "strips" else _along_slices(solution, count)
-    return Films(solution, motion, lubrication, tuple(_film(loaded, motion, *oil) for loaded in along))
+    contacts = tuple(_film(loaded, motions[rows.index(loaded.row)], *oil) for loaded in along)
+    return Films(solution, motions, lubrication, contacts)
 
 
 def surface_speeds(bearing: RollerBearing, ring: int, motion: Kinematics, y: Array) -> tuple[Array, Array]:
@@ -279,6 +293,12 @@ def surface_speeds(bearing: RollerBearing, ring: int, motion: Kinematics, y: Arr
     roller = 0.5 * bearing.roller_diameter - y * math.tan(narrows) - relief
     turns = abs((motion.inner_speed, motion.outer_speed)[ring] - motion.cage_speed)
     return PER_MINUTE * turns * around, PER_MINUTE * abs(motion.roller_speed) * roller
+
+
+def _place_of_least(values: Array) -> tuple[int, int]:
+    """Return roller and ring of the least of the values, some of which may be NaN."""
+    roller, ring = np.unravel_index(int(np.nanargmin(values)), values.shape)
+    return int(roller), int(ring)
 
 
 class _Loaded(NamedTuple):

@@ -12,7 +12,7 @@ from nonhertz.bearing.film import ContactFilm, Films
 from nonhertz.bearing.section import RINGS
 from nonhertz.figures.angles import around, loaded_middle, turn_axis
 from nonhertz.figures.roller import STYLES
-from nonhertz.figures.value import Axis, Figure, Level, Line, Mark, Panel, Points
+from nonhertz.figures.value import Axis, Colour, Figure, Level, Line, Mark, Panel, Points
 
 ROOM = 1.15
 #: Of the largest line load along a contact: where it is less, as at its ends, films are not drawn.
@@ -60,14 +60,14 @@ def _over_angle(films: Films, least: NDArray[np.float64], row: int, middle: floa
             Points(angle[order][np.isfinite(film)], film[np.isfinite(film)], colour=STYLES[ring]["colour"]),
         ]
     heading = "Minimum film" + (f", row {row + 1}" if len(films.solution.bearing.rows) > 1 else "")
-    top = float(np.nanmax(least))
+    top, roughness = float(np.nanmax(least)), _roughness_at(films, these.start)
     return Panel(
         f"film-{row + 1}",
         heading,
-        Axis("Minimum film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
-        [*marks, *_rough(films)],
+        Axis("Minimum film", "h", "mm", "um", range=(0.0, ROOM * max((top, *roughness)))),
+        [*marks, *_rough(roughness)],
         f"{heading} of every roller over its angle, from {um(float(np.nanmin(least))):.3g} to {um(top):.3g}.",
-        _words_of_roughness(films),
+        _words_of_roughness(roughness),
         160,
     )
 
@@ -79,15 +79,15 @@ def _along(films: Films, roller: int) -> Figure:
     for ring, film in among.items():
         marks += _lines(film, ring)
     top = max(float(np.nanmax(mark.y)) for mark in marks if isinstance(mark, Line))
-    place = films.solution.place_of(roller)
+    place, roughness = films.solution.place_of(roller), _roughness_at(films, roller)
     what = f"{place[0].upper()}{place[1:]}, with the minimum film"
     panel = Panel(
         "film-along",
         "Film along the roller",
-        Axis("Film", "h", "mm", "um", range=(0.0, ROOM * max(top, _roughness(films)))),
-        [*marks, *_rough(films)],
+        Axis("Film", "h", "mm", "um", range=(0.0, ROOM * max((top, *roughness)))),
+        [*marks, *_rough(roughness)],
         f"Minimum and central film along {place}.",
-        _words_of_roughness(films),
+        _words_of_roughness(roughness),
         200,
     )
     along = Axis("Axial position y", "y", "mm", range=(-half, half))
@@ -103,15 +103,20 @@ def _lines(film: ContactFilm, ring: str) -> Iterator[Line]:
     yield Line(film.y, central, name=f"{ring} ring, central", colour=colour, dash="dashed")
 
 
-def _roughness(films: Films) -> float:
-    return 0.0 if films.roughness is None else float(films.roughness.max())
+def _roughness_at(films: Films, roller: int) -> tuple[float, ...]:
+    """Return Rq of a roller with the inner and with the outer ring [mm]; empty where it is not known."""
+    return () if films.roughness is None else tuple(films.roughness[roller].tolist())
 
 
-def _rough(films: Films) -> list[Mark]:
-    return [] if films.roughness is None else [Level(_roughness(films), colour="ink", dash="ends")]
+def _rough(roughness: tuple[float, ...]) -> list[Mark]:
+    colours: list[Colour] = ["ink"] if len(set(roughness)) == 1 else [STYLES[ring]["colour"] for ring in RINGS]
+    return [Level(level, colour=colour, dash="ends") for level, colour in zip(roughness, colours, strict=False)]
 
 
-def _words_of_roughness(films: Films) -> str:
-    return (
-        "" if films.roughness is None else f"dash-dotted: Rq of both surfaces, {um(_roughness(films)):.3g}, lambda = 1"
-    )
+def _words_of_roughness(roughness: tuple[float, ...]) -> str:
+    if not roughness:
+        return ""
+    words = f"{um(roughness[0]):.3g}"
+    if len(set(roughness)) > 1:
+        words = f"{um(*roughness, between=' and '):.3g} at the inner and the outer ring"
+    return f"dash-dotted: Rq of both surfaces, {words}, lambda = 1"

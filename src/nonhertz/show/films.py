@@ -21,8 +21,7 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
     if films is None or films.least is None:
         return [("minimum film", "not judged", _why_no_films(case, films))]
     at = films.least
-    roller, ring = at
-    place = f"{RINGS[ring]} ring, {films.solution.place_of(roller)}, y = {mm(films.least_film_y[at]):4}"
+    place = f"{_place_of(films, at)}, y = {mm(films.least_film_y[at]):4}"
     how = "Hamrock and Dowson, elliptical contact" if films.elliptic[at] else "Pan and Hamrock"
     rows = [
         ("minimum film", f"{um(films.least_film[at]):4}", place),
@@ -30,15 +29,22 @@ def film_rows(case: BearingCase, films: Films | None) -> list[Row]:
         ("", f"{um(films.line_film[at]):4}", "minimum film there by Dowson and Higginson"),
         ("entrainment", _metres(films.entrainment[at]), "mean speed of both surfaces there"),
     ]
-    parameter = films.film_parameter
-    if parameter is None:
+    parameter, smallest = films.film_parameter, films.least_parameter
+    if parameter is None or smallest is None:
         rows.append(("film parameter", "not judged", NO_ROUGHNESS))
     else:
-        rows.append(("film parameter", format_digits(parameter[at], 3), "lambda: minimum film over combined Rq"))
+        words = "lambda: minimum film over combined Rq"
+        elsewhere = "" if smallest == at else f", {_place_of(films, smallest)}"
+        rows.append(("film parameter", format_digits(parameter[smallest], 3), words + elsewhere))
     for name, speed in zip(RINGS, films.rib_sliding.tolist(), strict=True):
         if speed > 0.0:
             rows.append(("sliding on ribs", _metres(speed), f"of the rollers' ends, {name} ring"))
     return [*rows, *_oil_rows(films)]
+
+
+def _place_of(films: Films, contact: tuple[int, int]) -> str:
+    roller, ring = contact
+    return f"{RINGS[ring]} ring, {films.solution.place_of(roller)}"
 
 
 def _why_no_films(case: BearingCase, films: Films | None) -> str:
