@@ -35,6 +35,23 @@ def on_shaft(interference, **changes):
     return nh.bearing.Shaft(diameter=30.0, interference=interference, **({"temperature": 20.0} | changes))
 
 
+def test_a_bearing_that_is_as_warm_everywhere_keeps_its_clearance():
+    # It grows as a whole: the clearance, zero by its diameters, stays zero. Cones that meet in a point, with an outer
+    # angle of 30 degrees and half of it at the apex of the rollers of 5 degrees.
+    outer, half, apex = math.radians(30.0), math.radians(5.0), 60.0
+    pitch, axis = 2.0 * apex * math.sin(outer - half), math.tan(outer - half)
+    ends = [2.0 * (apex + y) * math.tan(half) for y in (7.0, -7.0)]
+    cone = nh.Roller(diameter=nh.TabulatedDiameter((-7.0, 7.0), ends), length=14.0)
+    sizes = [pitch * math.tan(angle) / axis for angle in (outer - 2.0 * half, outer)]
+    tapered = nh.bearing.TaperedRollerBearing(
+        roller=cone, inner=nh.Ring(diameter=sizes[0]), outer=nh.Ring(diameter=-sizes[1]), rollers=10,
+        contact_angle=outer, pitch_diameter=pitch, bore=20.0, outside_diameter=100.0,
+    )  # fmt: skip
+    seats = {"shaft": nh.bearing.Shaft(), "housing": nh.bearing.Housing()}
+    warm = nh.bearing.Mounting(**seats, inner_temperature=80, outer_temperature=80)
+    assert warm.operating(tapered).lost_to_temperatures == pytest.approx(0.0, abs=1e-12)
+
+
 # Rings by themselves
 @pytest.mark.parametrize(
     "loads",
@@ -312,10 +329,13 @@ def test_a_tapered_row_closes_by_as_much_as_its_raceways_grow():
     assert found(open_row).axial(0.2) == pytest.approx(0.03)
 
 
-def test_rollers_of_a_tapered_row_grow_along_the_normal():
-    # D alpha Delta t along the normal is that by the cosine of the contact angle along the radius, on both sides.
+def test_rollers_of_a_tapered_row_take_what_cones_around_them_would_grow():
+    # The raceways touch the rollers on cones through the apex of these; both radii are on the line through the middle.
     taken = found(TAPER, roller_temperature=60.0).lost_to_temperatures
-    assert taken == pytest.approx(2.0 * 9.0 * EXPANSION * 40.0 / math.cos(0.2))
+    half = math.atan(0.04)
+    along = 4.5 / math.tan(half) * math.cos(0.2 - half)  # of the bearing's axis, from the apex to the middle
+    across = 2.0 * along * (math.tan(0.2) - math.tan(0.2 - 2.0 * half))
+    assert taken == pytest.approx(across * EXPANSION * 40.0)
 
 
 def test_it_prints_in_um():

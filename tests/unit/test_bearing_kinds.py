@@ -118,7 +118,7 @@ def momenta(row, rollers_density, speed, time, sense=-1.0):
     gauss, weights = np.polynomial.legendre.leggauss(12)
     y = half * gauss
     inclined = 0.5 * sum(row.contact_angles)
-    ratio = row.roller_diameter * np.cos(row.nominal_angle) / row.pitch
+    ratio = row.roller_diameter * np.cos(inclined) / row.pitch
     cage, roll = 0.5 * speed * (1.0 + sense * ratio), 0.5 * speed * row.pitch / row.roller_diameter * (1.0 - ratio**2)
     x, radial = np.array([1.0, 0.0, 0.0]), np.array([0.0, np.cos(cage * time), np.sin(cage * time)])
     axis = np.cos(inclined) * x - np.sin(inclined) * radial
@@ -162,6 +162,32 @@ def test_speed_loads_a_tapered_roller_with_what_its_points_need(length, ring, se
     largest = abs(loads[1] * row.inertia.middle)
     assert loads[2] == pytest.approx(-moment[2], rel=1e-4, abs=0.0 if ring == "inner" else 1e-4 * largest)
     assert loads[2] < 0.0
+
+
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_cones_that_meet_in_a_point_are_led_around_as_they_roll(ring):
+    """Both lines of contact pass through the apex, and on that of the ring at rest the roller does not move.
+
+    Its axis lies halfway between them, and moves half as fast as the line on the other ring, but for 1 / cos(beta).
+    """
+    beta, outer, apex, half = 0.09, 0.52, 60.0, 7.0
+    ends = [2.0 * (apex + y) * np.tan(beta) for y in (half, -half)]
+    cone = nh.Roller(diameter=nh.TabulatedDiameter((-half, half), ends), length=2.0 * half)
+    pitch = 2.0 * apex * np.sin(outer - beta)
+    inner, wide = (pitch * np.tan(angle) / np.tan(outer - beta) for angle in (outer - 2.0 * beta, outer))
+    row = B.TaperedRollerBearing(
+        roller=cone, inner=nh.Ring(diameter=inner), outer=nh.Ring(diameter=-wide), rollers=10, contact_angle=outer,
+        pitch_diameter=pitch,
+    )  # fmt: skip
+    speed, driven = 1000.0, {"inner": outer - 2.0 * beta, "outer": outer}[ring]
+    cage = 0.5 * speed * np.sin(driven) / (np.cos(beta) * np.sin(outer - beta))
+    at = 0.5 * pitch - row.inertia.middle * np.sin(outer - beta)
+    assert row.load_by_speed(speed, ring)[1] == pytest.approx(row.inertia.mass * cage**2 * at, rel=1e-9)
+    motion = row.kinematics(**{f"{ring}_speed": speed})
+    assert motion.cage_speed == pytest.approx(cage, rel=1e-9)
+    assert abs(motion.roller_speed) == pytest.approx(
+        cage * np.sin({"inner": outer, "outer": outer - 2.0 * beta}[ring]) / np.sin(beta), rel=1e-9
+    )
 
 
 def test_a_turning_outer_ring_leads_the_rollers_around_faster():

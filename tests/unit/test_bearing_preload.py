@@ -72,6 +72,16 @@ def test_it_is_that_of_rows_that_are_mounted_and_cold():
     assert pressed(classed.mounted(PAIR, clearance="least", method="slices")) == pytest.approx(2e3, rel=1e-4)
 
 
+def test_rows_expand_apart_by_their_distance_wherever_they_are():
+    seats = {"shaft": nh.bearing.Shaft(interference=0.0), "housing": nh.bearing.Housing(interference=0.0)}
+    fits = nh.bearing.Mounting(**seats, inner_temperature=80, outer_temperature=50, ring_expansion=12e-6)
+    apart = 12e-6 * 30.0 * 20.0
+    for arrangement, more in {"X": -apart, "O": apart, "tandem": 0.0}.items():
+        pair = nh.bearing.paired(ROW, arrangement, 20.0)
+        for x in (-10.0, 10.0), (0.0, 20.0), (25.0, 45.0):
+            assert fits.expansion(dataclasses.replace(pair, x=x)) == pytest.approx(more, abs=1e-15)
+
+
 def test_it_is_written_shown_and_read_back(tmp_path):
     case = read((CLEARANCE, 'preload = "2 kN" }'))
     case.write(tmp_path / "pair.toml")

@@ -10,7 +10,10 @@ at the interface; a fit whose pressure falls to zero is lost, and both parts the
 stress-free along the axis, whatever the width of seat and ring; ribs, chamfers, the load of the rollers on the rings
 and slip are neglected. The clearance is
 
-    C = E - F - 2 D_w / cos(alpha)        with all dimensions in operation.
+    C = E - F - 2 D_w / cos(alpha)        with all dimensions in operation,
+
+and with cos(alpha_i) cos(alpha_e) / [cos(beta_m) cos^2(beta)] in place of cos(alpha) for tapered rollers of the half
+cone angle beta, whose axes are inclined by beta_m.
 """
 
 from __future__ import annotations
@@ -231,7 +234,7 @@ class Mounting(Input):
         strains = (on_shaft, inner), (outer, in_housing)
         warm = [replace(fit, strains=pair) for fit, pair in zip(cold, strains, strict=True)]
         turning = replace(warm[0], speed=speed * PER_MINUTE)
-        rollers = 2.0 * bearing.roller_diameter / math.cos(bearing.nominal_angle) * of_rollers
+        rollers = 2.0 * bearing.roller_diameter / bearing.squareness * of_rollers
         mounted, warmed = ([fit.raceway for fit in fits] for fits in (cold, warm))
         return OperatingClearance(
             unmounted=unmounted,
@@ -256,15 +259,16 @@ class Mounting(Input):
         -------
         float
             Amount to be added to the `clearance` of the pair [mm]: for O expansion times difference of temperatures
-            times distance, for X minus that; zero in tandem, where one row gains what the other loses, and for a single
-            row.
+            times distance, for X minus that; zero in tandem, where no row locates the other, and for a single row.
         """
         if isinstance(bearing, RollerBearing):
             return 0.0
         if not isinstance(bearing, Paired):
             raise InputError("bearing", bearing, "be a bearing", "make one with nonhertz.bearing")
-        # Positive where the inner ring moves in the direction in which a row locates it, away from its rollers.
-        apart = sum((row.bears_axially[1] - row.bears_axially[0]) * row.x for row in bearing.rows)
+        up, down = ([row.x for row in bearing.rows if row.bears_axially[way]] for way in (0, 1))
+        if not up or not down:
+            return 0.0
+        apart = math.fsum(down) / len(down) - math.fsum(up) / len(up)
         row = bearing.bearings[0]
         inner = _strain("ring_expansion", self.ring_expansion, row.inner.material, self.inner_temperature)
         return (

@@ -272,7 +272,7 @@ class Calibration:
 
     def __init__(self, row: RollerBearing, rated: Rating, chosen: VolumeModel) -> None:
         self._row, self._model, self._slope = row, chosen, chosen.slope
-        gamma = row.roller_diameter * math.cos(row.nominal_angle) / row.pitch
+        gamma = row.roller_diameter * math.cos(0.5 * sum(row.contact_angles)) / row.pitch  # of rolling
         self._passes = 0.5 * row.rollers * np.array([1.0 + gamma, 1.0 - gamma])
         self._spin = 0.5 * row.pitch / row.roller_diameter * (1.0 - gamma**2)
         self._around = row.pitch * np.array([1.0 - gamma, 1.0 + gamma])

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bearing.fits import TOLERANCE_CLASSES, Range, check_class, clearance_limits
-from nonhertz.bearing.kinematics import Kinematics, cage_speed, roller_speed, rolling
+from nonhertz.bearing.kinematics import Kinematics, rolling
 from nonhertz.bearing.parts import (
     BORE,
     DENSITY,
@@ -244,11 +244,16 @@ class RollerBearing(Input):
     @property
     def play(self) -> float:
         """Room between raceways and rollers by their diameters [mm]; not the clearance, which is given separately."""
+        between = abs(float(self.outer.diameter)) - float(self.inner.diameter)  # type: ignore[arg-type]
+        return between * self.squareness - 2.0 * self.roller_diameter
+
+    @property
+    def squareness(self) -> float:
+        """Two roller diameters over the difference of the raceways' diameters without clearance [-]."""
         # Cones with a common apex: their radial distance is measured along a line square to neither.
         inner, outer = self.contact_angles
         mean, half = 0.5 * (inner + outer), 0.5 * (outer - inner)
-        square = math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
-        return (abs(float(self.outer.diameter)) - float(self.inner.diameter)) * square - 2.0 * self.roller_diameter  # type: ignore[arg-type]
+        return math.cos(inner) * math.cos(outer) / (math.cos(mean) * math.cos(half) ** 2)
 
     def _refuse_crowd(self) -> None:
         diameter, pitch = self.roller_diameter, self.pitch
@@ -485,10 +490,8 @@ class RollerBearing(Input):
         if speed == 0.0:
             return np.zeros(3)
         roller, inclined = self.inertia, 0.5 * sum(self.contact_angles)
-        size = self.roller_diameter / self.pitch
-        ratio = size * math.cos(self.nominal_angle)
-        speeds = (speed, 0.0) if turning == "inner" else (0.0, speed)
-        cage, spin = cage_speed(*speeds, ratio), roller_speed(*speeds, ratio, size)
+        motion = self.kinematics(**{f"{turning}_speed": speed})  # proportional to the speed, in whatever unit
+        cage, spin = motion.cage_speed, motion.roller_speed
         centrifugal = roller.mass * cage**2 * (0.5 * self.pitch - roller.middle * math.sin(inclined))
         # The component of the angular momentum square to the bearing's axis turns with the cage.
         along = roller.polar * (spin + cage * math.cos(inclined))
