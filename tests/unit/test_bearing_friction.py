@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import nonhertz as nh
@@ -127,6 +128,18 @@ def test_the_verdict_counts_skidding_and_speed():
     assert kinds(case_of(nj206()))["least-load"][1].startswith("The load P of 10.00 kN is at least")
     fast = kinds(case_of(nj206(), speed=12000))
     assert "exceeds the thermal speed rating" in fast["speed"][1]
+
+
+def test_rows_with_more_room_than_the_pair_takes_are_not_preloaded():
+    """Radial clearance is 1 / (2 tan alpha) of it along the axis: 57 um of 20 um, of which a pair takes 30, not all."""
+    pair = nh.new_bearing("spherical").bearing
+    assert pair.bearings[0].contact_angle == pytest.approx(np.radians(10.0))
+    for between, preloaded in ((-0.03, False), (-0.3, True)):
+        rows = tuple(replace(row, clearance=0.02) for row in pair.bearings)
+        given = replace(pair, bearings=rows, clearance=between)
+        assert nh.bearing.solve(given, method="slices").load.any() == preloaded
+        light = kinds(case_of(given, radial=100.0))
+        assert ("least-load" in light) is not preloaded
 
 
 def test_the_verdict_counts_the_stress_of_rings():

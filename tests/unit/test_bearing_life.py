@@ -147,7 +147,7 @@ def test_lives_and_films_follow_the_speed_and_the_ring_with_which_a_bearing_was_
     assert (life.speed, given.speed) == (1500.0, 3000.0)
     assert life.rated_hours == pytest.approx(2.0 * given.rated_hours)
     films = B.films(solution, lubrication=B.Lubrication(oil="ISO VG 68", temperature=70))
-    assert (films.kinematics.inner_speed, films.kinematics.outer_speed) == (0.0, 1500.0)
+    assert (films.kinematics[0].inner_speed, films.kinematics[0].outer_speed) == (0.0, 1500.0)
     spectrum = [(solution, 0.5), (B.solve(row(), radial=6e3, method="slices"), 0.5)]
     assert B.assess(spectrum).speed is None
 
@@ -177,6 +177,26 @@ def test_a_spectrum_lives_as_palmgren_and_miner_say():
     dry = B.assess(pairs, speed=[1500.0, 500.0], viscosity=40.0, reliability=0.95)
     assert dry.rated_life == pytest.approx(dry.reliability_factor * both.reference_life, rel=1e-12)
     assert (dry.viscosity_ratio, dry.contamination, dry.life_factor) == (both.viscosity_ratio, None, None)
+
+
+def test_a_spectrum_has_no_basic_life_where_one_of_its_loads_has_none():
+    """P leaves out moments: the life under a moment alone is not infinite, though P is zero."""
+    force, moment = (B.solve(row(), **load, method="slices") for load in ({"radial": 8e3}, {"moment": 60e3}))
+    alone, both = B.assess(moment), B.assess([(force, 0.5), (moment, 0.5)])
+    assert math.isfinite(alone.reference_life)
+    for life in (alone, both):
+        assert life.internally_loaded
+        assert math.isnan(life.basic_life)
+        assert math.isnan(life.static_safety)
+    assert both.equivalent_load > 0.0
+    # Rollers that idle at speed load the outer ring too, which is of no account.
+    idle = B.solve(row(clearance=0.02), speed=1000.0, method="slices")
+    loaded = B.solve(row(clearance=0.02), radial=8e3, speed=1000.0, method="slices")
+    assert B.assess(idle).internally_loaded
+    assert B.assess([(loaded, 0.5), (idle, 0.5)]).basic_life == pytest.approx(2.0 * B.assess(loaded).basic_life)
+    assert both.reference_life == pytest.approx(
+        2.0 / (1.0 / B.assess(force).reference_life + 1.0 / alone.reference_life), rel=1e-12
+    )
 
 
 def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():

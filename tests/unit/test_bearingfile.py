@@ -419,6 +419,27 @@ def test_a_spectrum_is_assessed_in_place_of_the_load(tmp_path):
     assert again.life == case.life
 
 
+def test_the_verdict_is_that_of_the_worst_load_of_a_spectrum():
+    """Under a tilt the pressure exceeds the limit though the load in its place and C0 over P0 are moderate."""
+    part = '[roller]\nmaterial = "100Cr6"\ncorner_radius = 0.3\n'
+    text = PLAIN.replace("[roller]\n", part).replace("diameter = 37.5", 'diameter = 37.5\nmaterial = "100Cr6"')
+    text = text.replace("diameter = -55.5", 'diameter = -55.5\nmaterial = "100Cr6"')
+    loads = [{"share": 0.9, "radial": 5e3}, {"share": 0.1, "radial": 10e3, "tilt": 4e-3}]
+    case = read(text + "[life]\n" + "".join(
+        "[[life.spectrum]]\n" + "".join(f"{name} = {value}\n" for name, value in load.items()) for load in loads
+    ))  # fmt: skip
+    solution = case.solve()
+    life = case.assess(solution)
+    worst = nh.bearing.solve(case.bearing, radial=10e3, tilt=4e-3)
+    assert solution.max_pressure.max() < 3e3
+    assert worst.max_pressure.max() > 4e3
+    assert life.static_safety > 1.0
+    assert case.verdict(solution).words.startswith("Static pressure below its limit")
+    verdict = case.verdict(solution, life)
+    assert verdict.words == "Limits not met under load 2 of the spectrum."
+    assert dict(verdict.findings[0].numbers)["pressure"].values == pytest.approx([worst.max_pressure.max()])
+
+
 def test_gaps_in_a_measured_profile_are_noted(tmp_path):
     y = np.concatenate([np.linspace(-5, -1, 801), np.linspace(1, 5, 801)])
     lines = "\n".join(f"{a:.5f} {-(a**2) / 2400.0:.7f}" for a in y)

@@ -96,6 +96,8 @@ class BearingLife(HasFindings, HasHtml):
         The standard of L10r, departures from it, and whether the bearing is beyond its scope.
     speed : float or None
         Speed for lives in hours [1/min], of a spectrum the mean over the time; None if not known.
+    pressed : bool
+        Whether the inner ring loads rollers, of a spectrum under its first load.
     """
 
     rating: Rating
@@ -113,6 +115,7 @@ class BearingLife(HasFindings, HasHtml):
     required: float | None = None
     basis: str = _TEXT
     speed: float | None = None
+    pressed: bool = True
 
     @property
     def hours_per_million(self) -> float:
@@ -121,7 +124,10 @@ class BearingLife(HasFindings, HasHtml):
 
     @property
     def basic_life(self) -> float:
-        """L10 of ISO 281; infinite without load, NaN where contacts bear only loads that P leaves out."""
+        """L10 of ISO 281; infinite without load, NaN where contacts bear only loads that P leaves out.
+
+        That of a spectrum is NaN where the inner ring presses rollers under one of its loads but P is zero.
+        """
         return math.pow(self._safety(self.rating.dynamic, self.equivalent_load), _LIFE_EXPONENT)
 
     @property
@@ -150,7 +156,9 @@ class BearingLife(HasFindings, HasHtml):
         return self._safety(self.rating.static, self.static_load)
 
     def _safety(self, rating: float, load: float) -> float:
-        return rating / load if load else math.nan if self.internally_loaded else math.inf
+        if self.internally_loaded:
+            return math.nan
+        return rating / load if load else math.inf
 
     @property
     def no_reference(self) -> str:
@@ -190,7 +198,12 @@ class BearingLife(HasFindings, HasHtml):
 
     @property
     def internally_loaded(self) -> bool:
-        """Whether contacts bear loads though P is zero, which leaves out preload, moments, speed and ribs."""
+        """Whether contacts bear loads though P is zero, which leaves out preload, moments, speed and ribs.
+
+        For a spectrum, whether they do under one of its loads, other than by speed on the outer ring alone.
+        """
+        if self.parts:
+            return any(life.internally_loaded and life.pressed for life, _ in self.parts)
         return self.equivalent_load == 0.0 and not math.isinf(self.reference_life)
 
     def __repr__(self) -> str:
@@ -422,6 +435,7 @@ def _assess_one(solution: BearingSolution, conditions: _Conditions, speed: float
         assumed=collect_assumptions({"": conditions}),
         basis=_basis(solution, stress),
         speed=speed,
+        pressed=bool(solution.load[:, 0].any()),
     )
 
 

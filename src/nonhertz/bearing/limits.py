@@ -259,7 +259,12 @@ def _preload(solution: BearingSolution) -> Iterator[Limit]:
 
 
 def _is_preloaded(bearing: RollerBearing | Paired) -> bool:
-    """Return whether rollers are loaded without external load."""
-    rows = [row.bearing for row in bearing.rows if not isinstance(row.bearing, CylindricalThrustBearing)]
-    between = bearing.clearance if isinstance(bearing, Paired) else 0.0
-    return bool(rows) and between + sum(row.clearance_range.likely for row in rows) / len(rows) < 0.0
+    """Return whether rollers are loaded without external load.
+
+    The inner ring may move along its axis: opposed rows share their room.
+    """
+    rooms = []
+    for row in bearing.rows:
+        slope = math.sin(row.bearing.nominal_angle)
+        rooms.append(row.bearing.gap / (slope or 1.0) + (0.5 * row.clearance if slope else 0.0))
+    return round(math.fsum(rooms), 9) < 0.0

@@ -223,20 +223,32 @@ class BearingCase(CaseBase):
         viscosity, speed = self.lubrication.in_place.viscosity, solution.speed
         reference = reference_viscosity(speed, self.bearing.rows[0].bearing.pitch) if speed else None
         ratio = None if viscosity is None or reference is None else viscosity / reference
-        return limits(
-            solution,
-            rating=self._rating,
-            clearance=self.operating_clearance,
-            grease=self.lubrication.grease,
-            viscosity_ratio=ratio,
-        )
+        known: dict[str, Any] = {"rating": self._rating, "clearance": self.operating_clearance}
+        return limits(solution, **known, grease=self.lubrication.grease, viscosity_ratio=ratio)
 
     def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Verdict | None:
-        """Return the verdict on the loaded bearing, including its life if there is one."""
-        from nonhertz.verdict import judge_bearing
+        """Return the verdict on the loaded bearing; with a life under a spectrum the worst of all its loads too."""
+        from nonhertz.verdict import judge_bearing, worst_verdict
 
         _check_loaded(solution, life)
-        return judge_bearing(solution, life, self.operating_clearance, self.films(solution), self.limits(solution))
+        states = {"": solution}
+        if life is not None:
+            states |= {f"under load {k} of the spectrum": state for k, (state, _) in enumerate(self._states, start=1)}
+        return worst_verdict(
+            {
+                where: judge_bearing(state, life, self.operating_clearance, self.films(state), self.limits(state))
+                for where, state in states.items()
+            }
+        )
+
+    @cached_property
+    def _states(self) -> tuple[tuple[BearingSolution, float], ...]:
+        """The bearing under the loads of its spectrum, with their shares."""
+        from nonhertz.bearing.spectrum import solve_spectrum
+
+        if not self.spectrum:
+            return ()
+        return solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
 
     @property
     def _rating(self) -> Rating | None:
@@ -356,7 +368,6 @@ class BearingCase(CaseBase):
             If such a bearing has no rating.
         """
         from nonhertz.bearing.assessed import assess
-        from nonhertz.bearing.spectrum import solve_spectrum
 
         with self._name_keys("life", fields={*LifeConditions.descriptions, *Lubrication.descriptions, *_OF_SPEED}):
             oil = self.lubrication.in_place.keywords
@@ -366,10 +377,7 @@ class BearingCase(CaseBase):
             conditions = oil | self.life.keywords
             for name in ("spectrum", "turning"):  # the solutions know their ring
                 conditions.pop(name)
-            if not self.spectrum:
-                return assess(solution, **conditions)
-            pairs = solve_spectrum(self.mounted, self.spectrum, turning=self.life.turning, **self.solver.keywords)
-            return assess(pairs, **conditions)
+            return assess(self._states or solution, **conditions)
 
     def rated(self, solution: BearingSolution) -> tuple[BearingLife | None, str]:
         """Return the life and "", or None and the reason why such a bearing has no rating.
