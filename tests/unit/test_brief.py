@@ -1,5 +1,6 @@
 """What results say of themselves where they are printed."""
 
+import dataclasses
 import re
 
 import numpy as np
@@ -10,6 +11,7 @@ from nonhertz.errors import without_accuracy_warnings
 
 ROLLER = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(2000))
 CONTACT = nh.Contact(ROLLER, nh.Ring(diameter=80))
+FITS = nh.bearing.Mounting(shaft="k5", housing="H7")
 
 
 def quietly(solve, *arguments, **given):
@@ -85,4 +87,52 @@ def test_inputs_print_as_they_are_typed() -> None:
 
 
 def test_moments_that_are_rounding_are_printed_as_zero():
-    assert "moment 0 to 0 N mm" in repr(nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41))
+    assert "moment 0 N mm" in repr(nh.solve_many(CONTACT, load=[5e3, 6e3], strips=41))
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (
+            lambda: nh.hertz.line_contact(line_load=1e3, radius=10, e_star=1e5),
+            "half_width=0.35682, max_pressure=1784.1)",
+        ),
+        (lambda: nh.bearing.rating(nh.new_bearing().bearing), "Rating(dynamic=40434, static=39025, inner="),
+        (
+            lambda: nh.subsurface.stress(nh.solve(CONTACT, load=5e3), 0, 0, 0.1),
+            "Field(body='a', x=0, y=0, z=0.10000, s",
+        ),
+        (
+            lambda: nh.solve_many(CONTACT, load=[5e3, 6e3]),
+            "  tilt 0 mrad\n  load 5.0000 to 6.0000 kN\n  moment 0 N mm",
+        ),
+        (
+            lambda: nh.bearing.solve_many(nh.new_bearing().bearing, radial=[1e3, 5e3], method="slices"),
+            "CylindricalRollerBearing of 13 rollers, by slices\n  2 of 2 states converged, shape 2\n  largest load of",
+        ),
+        (
+            lambda: nh.bearing.assess(
+                nh.bearing.solve(nh.new_bearing().bearing, radial=1e4, speed=3e3), required="9 h"
+            ),
+            "\n  required 1.620 million revolutions: met\n",
+        ),
+        (
+            lambda: FITS.ranges(dataclasses.replace(nh.new_bearing().bearing, bore=30, outside_diameter=62)),
+            "\n  interference on the shaft 2.000 to 21.00 µm, likely 11.50 µm\n",
+        ),
+    ],
+)
+def test_values_are_printed_short_and_in_words(value, text):
+    printed = repr(quietly(value))
+    assert text in printed
+    assert len(printed.splitlines()) <= 10
+
+
+def test_films_are_printed_in_words_and_no_bracket_stays_open():
+    solution = nh.bearing.solve(nh.new_bearing().bearing, radial=1e4, speed=3e3)
+    films = nh.bearing.films(solution, lubrication=nh.bearing.Lubrication(viscosity=20))
+    roller, ring = films.least
+    assert f"least film {1e3 * films.least_film[roller, ring]:.5f} µm" in repr(films)
+    assert f"between roller {roller + 1} and the inner ring" in repr(films)
+    for value in (films.contacts[0], nh.subsurface.extremes(solution.contact(0))):
+        assert repr(value).count("(") == repr(value).count(")")

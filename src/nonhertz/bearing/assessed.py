@@ -222,6 +222,9 @@ class BearingLife(HasFindings, HasHtml):
             lines.append(
                 f"under {len(self.parts)} loads for {format_digits(sum(share for _, share in self.parts), 3)} of it"
             )
+        if self.required is not None:
+            met = "met" if self.rated_life >= self.required else "not met"
+            lines.append(f"required {format_digits(self.required, 4)} million revolutions: {met}")
         if self.assumed:
             lines.append(f"assumed: {', '.join(dict(assumption.numbers)['default'] for assumption in self.assumed)}")
         return plain_text("BearingLife", [*lines, *self.warnings])

@@ -39,6 +39,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import format_digits, mm, um
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.kinematics import PER_MINUTE, Kinematics
 from nonhertz.bearing.oil import Lubrication
@@ -48,8 +49,9 @@ from nonhertz.bearing.solution import BearingSolution
 from nonhertz.bearing.standard import LAMINAE, slice_loads
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive, whole
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.life.lamina import FEWEST, MOST
-from nonhertz.result.brief import HasHtml, ShortRepr
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.quantities import Quantity, attributes
 from nonhertz.result.solution import Solution
 
@@ -125,7 +127,7 @@ class ContactFilm(ShortRepr):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Films(ShortRepr, HasHtml):
+class Films(HasHtml):
     """The films in a loaded bearing; made by `films`.
 
     Attributes
@@ -144,6 +146,18 @@ class Films(ShortRepr, HasHtml):
     kinematics: tuple[Kinematics, ...]
     lubrication: Lubrication
     contacts: tuple[ContactFilm, ...]
+
+    def __repr__(self) -> str:
+        lines = [f"{type(self.solution.bearing.rows[0].bearing).__name__} at {format_digits(self.solution.speed)}/min"]
+        if self.least is not None:
+            roller, ring = self.least
+            lines += [
+                f"least film {um(self.least_film[self.least])}, central film there {um(self.central_film[self.least])}",
+                f"between roller {roller + 1} and the {RINGS[ring]} ring, at y = {mm(self.least_film_y[self.least])}",
+            ]
+            if self.film_parameter is not None:
+                lines.append(f"film parameter lambda {format_digits(self.film_parameter[self.least], 3)}")
+        return plain_text("Films", lines)
 
     @property
     def least_film(self) -> Array:

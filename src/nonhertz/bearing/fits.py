@@ -18,6 +18,7 @@ from typing import Any, ClassVar, Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import flag, one_of, positive
+from nonhertz.inputs.short_repr import ShortRepr
 
 _MICROMETRES: Final = 1e-3  # mm
 _CLASS: Final = re.compile(r"([A-Za-z]+?)(\d+)")
@@ -41,8 +42,8 @@ CLEARANCE_GROUPS: Final = ("C2", "CN", "C3", "C4", "C5")
 _GROUPED: Final = {"cylindrical": "cylindrical", "needle": "cylindrical", "spherical": "spherical"}
 
 
-@dataclass(frozen=True)
-class Range:
+@dataclass(frozen=True, repr=False)
+class Range(ShortRepr):
     """A number that lies between limits.
 
     Attributes

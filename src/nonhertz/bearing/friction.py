@@ -43,6 +43,7 @@ from nonhertz.bearing.kinematics import PER_MINUTE
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.ratings import axial_and_radial, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.result.brief import HasHtml
 
 _OIL, _GREASE = 0, 1
@@ -123,9 +124,9 @@ def power(torque: float, speed: float) -> float:
     return 1e-3 * torque * abs(speed) * PER_MINUTE
 
 
-@dataclass(frozen=True)
-class Friction(HasHtml):
-    """Friction of a loaded bearing; made by `friction`.
+@dataclass(frozen=True, repr=False)
+class Friction(ShortRepr, HasHtml):
+    """Friction of a loaded bearing; made by `nonhertz.BearingCase.friction`.
 
     Attributes
     ----------

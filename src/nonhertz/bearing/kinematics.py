@@ -23,6 +23,7 @@ from typing import Final
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.result.brief import HasHtml
 
 PER_MINUTE: Final = math.pi / 30.0  # rad/s of 1/min
@@ -39,8 +40,8 @@ def roller_speed(inner: float, outer: float, ratio: float, size: float) -> float
     return 0.5 * (outer - inner) * (1.0 - ratio**2) / size
 
 
-@dataclass(frozen=True)
-class Kinematics(HasHtml):
+@dataclass(frozen=True, repr=False)
+class Kinematics(ShortRepr, HasHtml):
     """The speeds in a row of rollers, and the frequencies of over-rolling; made by `RollerBearing.kinematics`.
 
     Attributes

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 from nonhertz.amounts import format_digits, mpa, um
 from nonhertz.bearing.fits import Range
@@ -15,7 +15,7 @@ from nonhertz.result.brief import HasHtml, plain_text
 MOST_STEP = 30.0  # K, between a ring and its seat; above this one of the temperatures was probably left out
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class ClearanceRanges:
     """Limits of interferences and radial clearance of a row by their classes [mm].
 
@@ -33,6 +33,19 @@ class ClearanceRanges:
     unmounted: Range
     mounted: Range
     operating: Range
+
+    def __repr__(self) -> str:
+        names = {"shaft": "interference on the shaft", "housing": "interference in the housing"}
+        ranges = {field.name: getattr(self, field.name) for field in fields(self)}
+        return plain_text(
+            "ClearanceRanges",
+            [
+                f"{names.get(name, f'clearance {name}')} {um(value.least, value.greatest, between=' to '):4}, "
+                f"likely {um(value.likely):4}"
+                for name, value in ranges.items()
+                if value is not None
+            ],
+        )
 
     @property
     def known(self) -> bool:

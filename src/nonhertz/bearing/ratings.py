@@ -27,6 +27,7 @@ from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.life.capacity import (
     MATERIAL_FACTOR,
     REDUCTION,
@@ -47,8 +48,8 @@ _OF_ROWS = 7.0 / 9.0  # power of the number of rows with which C grows
 _ALIKE = 1e-9
 
 
-@dataclass(frozen=True)
-class Rating(HasHtml):
+@dataclass(frozen=True, repr=False)
+class Rating(ShortRepr, HasHtml):
     """Load ratings of a bearing, by ISO 281 and ISO 76.
 
     Attributes

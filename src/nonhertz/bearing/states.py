@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import newton
 from nonhertz.bearing.bearings import RollerBearing
 from nonhertz.bearing.equilibrium import NO_LOAD, TOLERANCE, States
 from nonhertz.bearing.pairs import Paired, loaded_shares
 from nonhertz.bearing.section import DISPLACEMENTS, FORCES, RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.errors import ConvergenceError
-from nonhertz.result.brief import HasHtml
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.data import library, product_index
 from nonhertz.result.read_only import ReadOnly
 
@@ -98,7 +99,18 @@ class BearingSolutions(ReadOnly, HasHtml):
         )
 
     def __repr__(self) -> str:
-        return f"BearingSolutions(shape={self.converged.shape}, {np.count_nonzero(self.converged)} converged)"
+        converged = np.count_nonzero(self.converged)
+        rows = [f"{type(row.bearing).__name__} of {row.bearing.rollers} rollers" for row in self.bearing.rows]
+        shape = " x ".join(map(str, self.converged.shape))
+        lines = [
+            f"{' and '.join(rows)}, by {self.method}",
+            f"{converged} of {self.converged.size} states converged, shape {shape}",
+        ]
+        if converged:
+            most = self.load[self.converged].max(axis=(1, 2))
+            ends = dict.fromkeys((float(most.min()), float(most.max())))
+            lines.append(f"largest load of a contact {newton(*ends, between=' to ')}")
+        return plain_text("BearingSolutions", lines)
 
     def __len__(self) -> int:
         return len(self.converged)

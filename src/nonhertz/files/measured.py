@@ -17,8 +17,9 @@ from nonhertz.inputs.checks import text
 from nonhertz.inputs.descriptions import Word, unknown_key_error
 from nonhertz.inputs.fields import input_class, parameters_class
 from nonhertz.inputs.files import is_special_file
-from nonhertz.measured import Measured, Trace, prepare
+from nonhertz.measured.chain import Measured, prepare
 from nonhertz.measured.steps import Corners, Filter, Middle
+from nonhertz.measured.trace import Trace
 from nonhertz.model.profile import Profile, ProfileKind
 from nonhertz.model.profile.table import Interpolation
 

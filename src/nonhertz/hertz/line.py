@@ -12,13 +12,14 @@ from nonhertz.amounts import mm
 from nonhertz.errors import InputError
 from nonhertz.hertz.pair import PLACES_REMEDY, Materials, semicircle, total_compliance
 from nonhertz.inputs.checks import number_that, numbers, positive
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.model.material import Material, check_poisson
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, kw_only=True)
-class LineContact:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class LineContact(ShortRepr):
     """A Hertz contact over an infinitely long strip, as made by `line_contact`.
 
     It has no approach of its own: in plane strain the displacement grows without bound with the distance of

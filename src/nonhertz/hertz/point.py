@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 from nonhertz.errors import InputError, shown
 from nonhertz.hertz.pair import PLACES_REMEDY, Materials, semicircle, total_compliance
 from nonhertz.inputs.checks import LEAST, finite, numbers, positive
+from nonhertz.inputs.short_repr import ShortRepr
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -39,8 +40,8 @@ _RADIUS_REMEDY = (
 _SMALLEST_RADIUS_RATIO = 1e-100
 
 
-@dataclass(frozen=True, kw_only=True)
-class PointContact:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class PointContact(ShortRepr):
     """A Hertz contact over an ellipse, as made by `point_contact`.
 
     Parameters

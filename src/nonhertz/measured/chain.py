@@ -15,6 +15,7 @@ from nonhertz.findings import Finding, finding, sentences
 from nonhertz.inputs.checks import check_list, one_of, positive
 from nonhertz.inputs.descriptions import Count, Flag, OrFlag, Part, Quantity, Word
 from nonhertz.inputs.fields import validate_call
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.measured.corners import CORNER_CUTOFF, resolved
 from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
 from nonhertz.measured.land import steps_in
@@ -46,7 +47,7 @@ from nonhertz.measured.steps import (
 from nonhertz.measured.trace import FEWEST_POINTS, LONGEST, Array, Points, Trace
 from nonhertz.model.profile import Profile, Tabulated, tabulated
 from nonhertz.model.profile.table import Interpolation
-from nonhertz.result.brief import HasHtml, ShortRepr
+from nonhertz.result.brief import HasHtml
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list, finite, flag, numbers, one_of
 from nonhertz.inputs.descriptions import Quantity
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.measured.trace import Array, Points
 from nonhertz.model.profile import CATALOGUE, PARAMETERS, Profile
 from nonhertz.result.brief import HasHtml
@@ -34,8 +35,8 @@ _LENGTH_BOUNDS = (1e-3, 1e4)
 _DERIVATIVES = 1e-7  # of the largest: accuracy of finite-difference derivatives
 
 
-@dataclass(frozen=True, eq=False)
-class ProfileFit(HasHtml):
+@dataclass(frozen=True, eq=False, repr=False)
+class ProfileFit(ShortRepr, HasHtml):
     """The best-fitting profile of a kind.
 
     Attributes

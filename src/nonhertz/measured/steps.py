@@ -18,12 +18,12 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import Input, input_class
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
 from nonhertz.measured.outlying import THRESHOLD, outliers
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
-from nonhertz.result.brief import ShortRepr
 
 #: Wavelength [mm] that separates roughness from form: the value of ISO 21920-3 and ISO 4288 for finely ground surfaces.
 CUTOFF = 0.8

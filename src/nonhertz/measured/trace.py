@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list, numbers, text
-from nonhertz.result.brief import ShortRepr
+from nonhertz.inputs.short_repr import ShortRepr
 
 Array = NDArray[np.float64]
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.amounts import error_words, format_digits, mm, worth_reading
+from nonhertz.amounts import error_words, mm, worth_reading
+from nonhertz.inputs.short_repr import shorten
 from nonhertz.model.body import Body
 from nonhertz.result.maximum import places_of_largest
 from nonhertz.result.penetration import is_noticeable
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from nonhertz.result.solved import Solved
 
 Array = NDArray[np.float64]
-
-WIDEST = 60  # characters in a value
 
 
 def lines(solution: Solved, resolution: str, ends: Iterable[str]) -> list[str]:
@@ -89,11 +87,6 @@ def where_largest(solution: Solved, significant: int = 5) -> str:
     return f"at y = {places:{significant}}{away}"
 
 
-def shorten(text: str) -> str:
-    """Return a text of at most `WIDEST` characters, cut at a word boundary."""
-    return text if len(text) <= WIDEST else (text[:WIDEST].rpartition(" ")[0] or text[:WIDEST]) + " ..."
-
-
 def warning_lines(warnings: Sequence[str]) -> list[str]:
     """Return a line on warnings: the first, shortened, and how many more there are; no line without any."""
     more = f" (and {len(warnings) - 1} more)" if len(warnings) > 1 else ""
@@ -112,30 +105,3 @@ class HasHtml:
         from nonhertz.show.notebook import to_html  # what lays out stands above what is laid out
 
         return to_html(self)
-
-
-class ShortRepr:
-    """A dataclass whose repr has shape and range of arrays, and the beginning of long values."""
-
-    def __repr__(self) -> str:
-        shown = (field.name for field in dataclasses.fields(self) if field.repr)  # type: ignore[arg-type]
-        return f"{type(self).__name__}({', '.join(f'{name}={_field(getattr(self, name))}' for name in shown)})"
-
-
-def _field(value: Any) -> str:
-    if isinstance(value, np.ndarray):
-        shape = " x ".join(map(str, value.shape))
-        if value.dtype == bool or not value.size:
-            return f"<{shape} {value.dtype}>"
-        known = value[np.isfinite(value)]
-        return (
-            f"<{shape}: {format_digits(float(known.min()), 4)} to {format_digits(float(known.max()), 4)}>"
-            if known.size
-            else "<nan>"
-        )
-    if isinstance(value, float):
-        return format_digits(value)
-    named = getattr(value, "name", None)
-    text = repr(named if isinstance(named, str) and dataclasses.is_dataclass(value) else value)
-    first, _, further = text.partition("\n")
-    return f"<{first}>" if further else shorten(text)

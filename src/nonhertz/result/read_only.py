@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nonhertz.result.brief import ShortRepr
+from nonhertz.inputs.short_repr import ShortRepr
 
 Values = TypeVar("Values", bound=NDArray[Any])
 

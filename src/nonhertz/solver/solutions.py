@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
 from nonhertz.findings import Finding, finding
+from nonhertz.inputs.short_repr import shorten
 from nonhertz.model.contact import Contact
-from nonhertz.result.brief import HasHtml, plain_text, shorten
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.data import dataframe, dataset, name_axes
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.read_only import freeze
@@ -110,7 +111,8 @@ class Solutions(HasHtml):
         lines = [f"{solved} of {len(self)} cases converged, shape {' x '.join(map(str, self.shape))}"]
         for name in _COLUMNS[:5] if solved else ():
             quantity, values = QUANTITIES[name], self.column(name)[self.converged]
-            lines.append(f"{quantity.label} {quantity.amount(values.min(), values.max(), between=' to ')}")
+            ends = dict.fromkeys((values.min(), values.max()))
+            lines.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
         if self.failures:
             number, error = next(iter(self.failures.items()))
             lines.append(f"failed: case {number}: {shorten(str(error))}")

@@ -21,9 +21,10 @@ from nonhertz.errors import InputError, without_accuracy_warnings
 from nonhertz.files.casefile import Case
 from nonhertz.findings import Finding, HasFindings, finding
 from nonhertz.inputs.checks import check_callback, thread_count, whole
+from nonhertz.inputs.short_repr import ShortRepr
 from nonhertz.life import ContactLoadCase, Model
 from nonhertz.life.spectrum import check_cases
-from nonhertz.result.brief import HasHtml, ShortRepr, plain_text, warning_lines
+from nonhertz.result.brief import HasHtml, plain_text, warning_lines
 from nonhertz.result.solution import Solution
 from nonhertz.solver.one import solve
 from nonhertz.study.design_task import check_design, find_starts, shares_of

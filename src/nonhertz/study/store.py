@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.errors import InputError
-from nonhertz.result.brief import shorten
+from nonhertz.inputs.short_repr import shorten
 from nonhertz.study.rows import Row
 
 FILE = "rows.sqlite3"

@@ -29,7 +29,8 @@ from nonhertz.files.workbooks import INPUTS, inputs_table, refuse_too_many, writ
 from nonhertz.findings import Finding
 from nonhertz.inputs.checks import check_callback, thread_count
 from nonhertz.inputs.descriptions import unknown_key_error
-from nonhertz.result.brief import HasHtml, plain_text, shorten
+from nonhertz.inputs.short_repr import shorten
+from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.data import library
 from nonhertz.result.quantities import Quantity
 from nonhertz.study.points import Points
@@ -100,13 +101,14 @@ class Sweep(HasHtml):
 
     def __repr__(self) -> str:
         rows = "row" if len(self) == 1 else "rows"
-        lines = [f"{len(self)} {rows} of {self.plan.title!r} over {', '.join(self.paths)}"]
+        title = f" of {self.plan.title!r}" if self.plan.title else ""
+        lines = [f"{len(self)} {rows}{title} over {', '.join(self.paths)}"]
         if not self.complete:
             lines.append(f"{len(self._store)} of them are there")
         for quantity in self.quantities:
             ends = self.extremes(quantity.name)
             if ends is not None:
-                lines.append(f"{quantity.label} {quantity.amount(*ends, between=' to ')}")
+                lines.append(f"{quantity.label} {quantity.amount(*dict.fromkeys(ends), between=' to ')}")
         lines += [f"failed: {times} from row {first}: {shorten(why)}" for why, times, first in self.reasons()]
         return plain_text("Sweep", lines)
 

@@ -128,11 +128,16 @@ class Tolerance(HasHtml):
         self._indices: dict[str, tuple[Index, ...]] = {}
 
     def __repr__(self) -> str:
-        lines = [f"{len(self.sweep)} rows of {self.sweep.plan.title!r}"]
+        title = f" of {self.sweep.plan.title!r}" if self.sweep.plan.title else ""
+        lines = [f"{len(self.sweep)} rows{title}"]
         for quantity in self.main:
             quantiles = (quantile.value for quantile in self.quantiles(quantity.name))
             lines.append(f"{quantity.label} {quantity.amount(*quantiles)}")
         lines[0] += f"; 1 %, 50 % and 99 % of {self.independent.size} samples:" if len(lines) > 1 else ""
+        lines += [
+            f"{part.beyond} of {part.samples} samples are beyond the limit of {part.quantity}"
+            for part in self.capabilities
+        ]
         if self.sweep.failed:
             lines.append(f"{self.sweep.failed} rows failed")
         return plain_text("Tolerance", lines)
