@@ -16,6 +16,7 @@ from nonhertz.figures.film import film_figures
 from nonhertz.figures.value import Level as Height
 from nonhertz.files.bearing_results import files as written
 from nonhertz.files.starting import starting_bearing
+from nonhertz.show.bearing import solution_sections
 from nonhertz.show.films import film_rows
 from nonhertz.verdict import Level, judge_bearing
 
@@ -154,6 +155,11 @@ def test_different_rows_have_their_own_speeds_and_roughness():
         assert found.entrainment[first] == pytest.approx([speed, speed], rel=2e-3)
         assert found.roughness[first] == pytest.approx(math.sqrt(2) * single.roller.roughness)
     assert [motion.rollers for motion in found.kinematics] == [13, 6]
+    shown = [row for section in solution_sections(found.solution) for table in section[1] for row in table.rows]
+    assert [row[1:] for row in shown if row[0] == "rollers"] == [
+        ("13, 9 x 10 mm", "in row 1, pitch circle 46.5 mm"),
+        ("6, 20 x 10 mm", "in row 2, pitch circle 46.5 mm"),
+    ]
 
 
 def test_the_film_parameter_is_judged_where_the_roughness_is_known():

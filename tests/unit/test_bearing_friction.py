@@ -116,6 +116,20 @@ def test_the_verdict_counts_the_axial_load_on_ribs():
     assert level == "NOT_MET"
     assert sentence.startswith("The axial load on ribs is 1.000 kN; the heat on ribs permits 6")
     assert "Schaeffler 2006, oil sump: 46" in sentence
+    # The rule of SKF is for kappa of at least 2 and 1 minute of arc; 500 N exceed the limit of Schaeffler.
+    for axial, viscosity, tilt, expected, words in (
+        (300.0, 20.0, None, "NOT_JUDGED", "for kappa of at least 2, not 1.66; Schaeffler"),
+        (300.0, 40.0, None, "MET", "(SKF 2018; Schaeffler"),
+        (500.0, 40.0, None, "NOT_JUDGED", "(SKF 2018; Schaeffler 2006, oil sump: 46"),
+        (300.0, 40.0, 5e-4, "NOT_JUDGED", "for a misalignment of at most 1', not 1.72'; Schaeffler"),
+        (1000.0, 40.0, None, "NOT_MET", "(SKF 2018; Schaeffler"),
+    ):
+        case = replace(
+            case_of(nj206(), axial=axial, tilt=tilt), lubrication=nh.bearing.Lubrication(viscosity=viscosity)
+        )
+        met, limit = next(limit for limit in case.limits(case.solve()) if limit.finding.kind == "rib-limit")
+        assert {True: "MET", None: "NOT_JUDGED", False: "NOT_MET"}[met] == expected
+        assert words in str(limit)
     level, sentence = kinds(case_of(nj206(width=None), axial=100.0))["rib-limit"]
     assert level == "NOT_JUDGED"
     assert sentence.endswith("is not judged: give bearing.width.")

@@ -7,8 +7,8 @@ which is allowed for brief periods of some 1000 revolutions and three times in o
     0.5 F_r        0.0045 kN D^1.5 of series 2, or 0.0023 kN D^1.7        k_1 10^4 C_0 / (n (d + D)) - k_2 F_r
 
 where C_0 becomes 7.5 C_0^(2/3), in kN, if pi B (d + D) exceeds 50000 mm^2; it holds for a viscosity ratio of 2, a
-misalignment of at most one minute of arc, and a heat flow of 0.5 mW/mm^2. By another manufacturer (HR 1, 2006) it is,
-in N,
+misalignment of at most one minute of arc, and a heat flow of 0.5 mW/mm^2. Otherwise it is not judged as met, nor above
+that of another manufacturer (HR 1, 2006), in N,
 
     k_S k_B d_m^1.5 n^-0.6        at most 0.075 k_B d_m^2.1 and 0.4 F_r
 
@@ -47,6 +47,8 @@ _LUBRICATION: Final = {  # k_1, k_2 by (full complement, grease)
     (False, False): (1.5, 0.15), (False, True): (1.0, 0.1), (True, False): (1.0, 0.3), (True, True): (0.5, 0.15),
 }  # fmt: skip
 _UNPROTECTED: Final = 0.4  # kappa
+_OF_RIBS: Final = 2.0  # kappa
+_MINUTE: Final = math.radians(1.0 / 60.0)
 _LEAST_LOAD: Final = 0.02  # of C; for spherical bearings 0.01 of C_0
 
 
@@ -173,18 +175,27 @@ def _ribs(solution: BearingSolution, static: float, grease: bool, ratio: float |
     by = rib_limit_skf(radial=radial, static=static, **sizes, speed=solution.speed, full=full, grease=grease)
     reasons = "half the radial load", "the strength of ribs", "the heat on ribs"
     least = int(np.argmin(by))
-    met = axial <= by[least]
     words = "The axial load on ribs is {load:4}; {reason} permits {limit:4} continuously, twice briefly (SKF 2018"
     words += "{where}{other})."
-    where = "" if ratio is None or ratio >= 2.0 else f", for kappa of at least 2, not {format_digits(ratio, 3)}"
-    other = ""
+    where, other, allowed = _outside_of_rule(solution, ratio), "", math.inf
     if "rib" in row.of_series and not grease:
         mean = 0.5 * (sizes["bore"] + sizes["outside_diameter"])
         factor = row.of_series["rib"]
         allowed = rib_limit_schaeffler(factor, radial=radial, mean_diameter=mean, speed=solution.speed)
         other = f"; Schaeffler 2006, oil sump: {newton(allowed):4}"
     amounts = {"load": newton(axial), "limit": newton(by[least])}
+    met = None if axial <= by[least] and (where or axial > allowed) else axial <= by[least]
     yield Limit(met, finding("rib-limit", words, **amounts, reason=reasons[least], where=where, other=other))
+
+
+def _outside_of_rule(solution: BearingSolution, ratio: float | None) -> str:
+    """Return the conditions of SKF's rule for ribs that are not fulfilled or not known; empty if there are none."""
+    words, tilt = "", math.hypot(*solution.displacement[3:])
+    if solution.speed and (ratio is None or ratio < _OF_RIBS):
+        words += f", for kappa of at least {_OF_RIBS:g}" + (f", not {format_digits(ratio, 3)}" if ratio else "")
+    if tilt > _MINUTE * (1.0 + 1e-6):
+        words += f", for a misalignment of at most 1', not {format_digits(tilt / _MINUTE, 3)}'"
+    return words
 
 
 def _missing_for_ribs(sizes: dict[str, Any], rows: int) -> str:

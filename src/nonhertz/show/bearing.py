@@ -308,17 +308,18 @@ def most_loaded(solution: BearingSolution) -> int:
 
 
 def _bearing_rows(bearing: RollerBearing | Paired, *, fitted: bool) -> list[Row]:
-    row = bearing.rows[0].bearing
-    rows = len(bearing.rows)
-    size = f"{row.rollers}, {mm(row.roller_diameter, row.roller_length, between=' x '):g}"
-    table = [
-        ("bearing", f"{row.kind}{f', {rows} rows' if rows > 1 else ''}", ""),
-        ("rollers", size, f"{'in each row, ' if rows > 1 else ''}pitch circle {mm(row.pitch):g}"),
-    ]
-    if isinstance(row, _WithClearance):
-        table += _clearance_rows(row, fitted, ", of each row" if rows > 1 else "")
-    if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
-        table.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
+    rows = [row.bearing for row in bearing.rows]
+    alike = all(row == rows[0] for row in rows)
+    kinds = " and ".join(dict.fromkeys(row.kind for row in rows))
+    table = [("bearing", f"{kinds}{f', {len(rows)} rows' if rows[1:] else ''}", "")]
+    for number, row in enumerate(rows[:1] if alike else rows, start=1):
+        which = "" if not rows[1:] else "each row" if alike else f"row {number}"
+        size = f"{row.rollers}, {mm(row.roller_diameter, row.roller_length, between=' x '):g}"
+        table.append(("rollers", size, f"{f'in {which}, ' if which else ''}pitch circle {mm(row.pitch):g}"))
+        if isinstance(row, _WithClearance):
+            table += _clearance_rows(row, fitted, f", of {which}" if which else "")
+        if row.nominal_angle > 0.0 and not isinstance(row, CylindricalThrustBearing):
+            table.append(("contact angle", f"{format_input(math.degrees(row.nominal_angle), 5)} degrees", ""))
     if isinstance(bearing, Paired):
         # Rounded to 10 nm: a clearance from a preload or from temperatures has digits that nobody gave.
         between = um(round(bearing.clearance, 5))
