@@ -41,7 +41,7 @@ LOSSES: Final = (
     Key("lost_to_inner_fit", "reduction by the fit of the inner ring", "mm"),
     Key("lost_to_outer_fit", "reduction by the fit of the outer ring", "mm"),
     Key("lost_to_temperatures", "reduction by temperatures", "mm"),
-    Key("lost_to_speed", "reduction by speed", "mm"),
+    Key("lost_to_speed", "reduction by the speed of the inner ring", "mm"),
 )
 _CLEARANCE: Final = (
     *within(
