@@ -67,6 +67,8 @@ def test_only_reports_are_replaced(case, run):
     assert line.startswith("--out = 'folder' must be a file, not a directory: ")
     (line,) = refused([case, "--out", "case.toml/report.html"], run)
     assert line.startswith("--out = 'case.toml' must be a directory")
+    (line,) = refused([case, "--out", "report.pdf"], run)
+    assert line == "--out = 'report.pdf' must end in .html: give the name of a file such as report.html."
     (line,) = refused([case, "--out", "nowhere/x/report.html"], run)
     assert line.startswith("--out = 'nowhere/x/report.html' must be in an existing folder, or in a new one within it")
     assert line.endswith(": make nowhere first, or correct the name.")

@@ -6,8 +6,8 @@ Examples
 >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
 >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
 >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
->>> found = nh.bearing.solve(row, radial=20e3, tilt=1e-3)
->>> found.load[:4, 0].round(-1)
+>>> solution = nh.bearing.solve(row, radial=20e3, tilt=1e-3)
+>>> solution.load[:4, 0].round(-1)
 array([6860., 5710., 2670.,    0.])
 """
 

@@ -330,10 +330,15 @@ def assess(
         The loaded bearing, or a spectrum: pairs of a solution and its share of the revolutions, from `solve_spectrum`
         or with `shares_of_revolutions`. Where shares add up to less than 1, the bearing is unloaded for the rest.
     speed : float or sequence of float, optional
-        [1/min], for a modified life and for lives in hours, one for all loads of a spectrum or one for each; if left
-        out, the speeds of the solutions, if all have one.
+        Speed [1/min], for a modified life and for lives in hours: one, or one for each load of a spectrum. If left out,
+        the speeds of the solutions, if all have one.
     {OilInPlace}
     {LifeConditions}
+
+    Returns
+    -------
+    BearingLife
+        Ratings, equivalent load, static safety, and lives in millions of revolutions.
 
     Raises
     ------

@@ -129,7 +129,12 @@ def from_catalogue(
     static: Annotated[float, Quantity("N", "the basic static load rating C_0", positive, _IN_N)],
     *,
     kind: Annotated[
-        str, Word("the bearing", "write 'cylindrical', 'needle' or 'tapered'", tuple(_USUAL))
+        str,
+        Word(
+            "kind of bearing: 'cylindrical', 'needle' or 'tapered'",
+            "write 'cylindrical', 'needle' or 'tapered'",
+            tuple(_USUAL),
+        ),
     ] = "cylindrical",
     inner_raceway: Annotated[float | None, _raceway("F", "inner")] = None,
     outer_raceway: Annotated[float | None, _raceway("E", "outer")] = None,

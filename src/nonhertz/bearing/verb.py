@@ -95,6 +95,7 @@ def solve(
     Returns
     -------
     BearingSolution
+        Loads of all rollers, displacements, forces, stiffness and, by strips, pressures.
 
     Raises
     ------
@@ -124,7 +125,7 @@ def solve(
     >>> roller = nh.Roller(diameter=9, length=10, profile=nh.profile.crown(radius=4000))
     >>> rings = {"inner": nh.Ring(diameter=37.5), "outer": nh.Ring(diameter=-55.5)}
     >>> row = nh.bearing.CylindricalRollerBearing(roller=roller, **rings, rollers=13, clearance=0.0184)
-    >>> float(solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
+    >>> float(nh.bearing.solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6840.0
     """
     speed = BearingLoad(speed=speed).speed

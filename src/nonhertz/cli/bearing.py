@@ -36,7 +36,7 @@ def bearing(
     changes: Changes = NONE,
     compare: Annotated[bool, Parameter(negative="")] = False,
     contact: Annotated[tuple[int, str] | None, Parameter(negative="", show_default=False)] = None,
-    over: str = "",
+    over: Annotated[str, Parameter(show_default=False)] = "",
     workers: Workers = None,
     out: Path | None = None,
     rexs: Path | None = None,

@@ -17,6 +17,7 @@ from nonhertz.files.casefile import Case
 from nonhertz.files.folder import refuse_unwritable_file, write_files
 from nonhertz.files.planfile import read_any
 from nonhertz.files.title_block import TitleBlock
+from nonhertz.inputs.files import is_special_file
 from nonhertz.report import MARK, count_steps, post_process, solve_all, to_html
 from nonhertz.report.results import make_all, require_one_kind
 
@@ -33,9 +34,9 @@ def report(
     life: bool | None = None,
     stress: bool = True,
     compare: Annotated[bool, Parameter(negative="")] = False,
-    project: str = "",
-    author: str = "",
-    date: str = "",
+    project: Annotated[str, Parameter(show_default=False)] = "",
+    author: Annotated[str, Parameter(show_default=False)] = "",
+    date: Annotated[str, Parameter(show_default=False)] = "",
     no_date: Annotated[bool, Parameter(negative="")] = False,
     units: UnitsRead = "si",
 ) -> int:
@@ -105,6 +106,8 @@ def _target(out: Path | None, cases: Sequence[Path]) -> Path:
         raise InputError("--out", str(path), "be a file, not a directory", _REMEDY)
     if path.exists() and not _is_report(path):
         raise InputError("--out", str(path), "be a new file or an older nonhertz report", "choose another name")
+    if out is not None and path.suffix.lower() not in {".html", ".htm"} and not is_special_file(path):
+        raise InputError("--out", str(path), "end in .html", _REMEDY)
     return path
 
 

@@ -16,8 +16,8 @@ def schema(kind: str, /, *, out: Path | None = None) -> None:
     Parameters
     ----------
     kind : str
-        case, bearing or plan, which are read; or result, bearing-result, stress, life, profile, map, comparison or
-        nodes, which commands print.
+        case, bearing or plan, which are read; or what commands print: result, bearing-result, stress, life, profile,
+        map, comparison, bearing-comparison, sweep, diagram, tolerance, design, front, materials or nodes.
     out : Path
         The file to write it to instead; an existing one is replaced.
     """

@@ -42,7 +42,7 @@ Values = TypeVar("Values", bound=NDArray[Any])
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Solved):
-    """A solved contact.
+    """A solved contact; its arrays have one value for each strip, at the positions `y`.
 
     Attributes
     ----------
@@ -71,8 +71,8 @@ class Solution(Solved):
     gap : ndarray, shape (strips,)
         Deformed gap on the centre line [mm]; zero in contact.
     contact_y : tuple of (float, float)
-        The intervals [mm] along y that are in contact, ascending; an end inside the bodies lies where m = a^2,
-        continued linearly, vanishes.
+        The intervals [mm] along y that are in contact, ascending; an end inside the bodies lies where the
+        square of the half-width, continued linearly, vanishes.
     edge_pressure : tuple of two EdgePressure
         The pressure at the low and at the high end, and its kind.
     singular_ends : tuple of SingularEnd
@@ -84,7 +84,7 @@ class Solution(Solved):
     error_estimate : ErrorEstimate
         The solve's own estimate of its discretisation errors.
     findings : tuple of Finding
-        Strains of the model in this case; empty if there are none.
+        Remarks on where this case strains the model; empty if it does not.
     judgement : Judgement
         The last six of these attributes, computed when they are first read.
     """

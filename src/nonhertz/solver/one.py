@@ -112,10 +112,9 @@ def solve(
 
     Examples
     --------
-    >>> from nonhertz.model.body import Plate, Roller
-    >>> from nonhertz.model.profile import crown
-    >>> roller = Roller(diameter=20, length=20, profile=crown(radius=4000))
-    >>> solution = solve(Contact(roller, Plate()), load=20e3, tilt=0.5e-3)
+    >>> import nonhertz as nh
+    >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
+    >>> solution = nh.solve(nh.Contact(roller, nh.Plate()), load=20e3, tilt=0.5e-3)
     >>> round(solution.moment / solution.load, 2)
     0.81
     """

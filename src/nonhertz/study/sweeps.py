@@ -326,6 +326,7 @@ def sweep(
     Returns
     -------
     Sweep
+        One row for each combination of values; ``sweep["max_pressure"]`` is an array of its `shape`.
 
     Raises
     ------
@@ -344,8 +345,8 @@ def sweep(
     >>> import nonhertz as nh
     >>> roller = nh.Roller(diameter=20, length=20, profile=nh.profile.crown(radius=4000))
     >>> case = nh.Case(nh.Contact(roller, nh.Plate()), {"load": 20e3}, {"strips": 41})
-    >>> found = sweep(case, over={"load.load": "5 kN : 20 kN : 4", "body.a.profile.radius": [4e3, 8e3]})
-    >>> found.shape, found["max_pressure"][3].round(-1)
+    >>> swept = nh.sweep(case, over={"load.load": "5 kN : 20 kN : 4", "body.a.profile.radius": [4e3, 8e3]})
+    >>> swept.shape, swept["max_pressure"][3].round(-1)
     ((4, 2), array([2090., 1990.]))
     """
     check_callback(callback)

@@ -249,7 +249,7 @@ def cross_section(
     solution : Solution or PatchSolution
         A solved contact.
     station : float
-        Position along y [mm].
+        Position of the plane, y [mm].
     x : array_like, shape (m,), optional
         Positions across [mm]; by default 81 over two half-widths to either side.
     z : array_like, shape (n,), optional
