@@ -162,7 +162,7 @@ def test_a_file_that_is_no_ring_is_refused(tmp_path, text, options, message):
 
 @pytest.mark.parametrize("path", ["missing.csv", "\0", 3.5, None])
 def test_a_file_that_cannot_be_read_is_refused(path):
-    with pytest.raises(nh.InputError, match="must be a file that can be read"):
+    with pytest.raises(nh.InputError, match=r"must be (a file that can be read|the path of a file: give a string)"):
         read_ring_shape(path)
 
 
