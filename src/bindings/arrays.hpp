@@ -36,9 +36,9 @@ inline VectorOut view_of(View values, nb::handle owner) { return VectorOut(value
 /// Values as an array of some shape that owns them.
 template <class Scalar, std::size_t N>
 auto array_of(std::vector<Scalar> values, const std::array<std::size_t, N>& shape) {
-  auto kept = std::make_unique<std::vector<Scalar>>(std::move(values));
-  const Scalar* data = kept->data();
-  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<std::vector<Scalar>*>(p); });
+  auto owned = std::make_unique<std::vector<Scalar>>(std::move(values));
+  const Scalar* data = owned->data();
+  nb::capsule owner(owned.release(), [](void* p) noexcept { delete static_cast<std::vector<Scalar>*>(p); });
   return nb::ndarray<nb::numpy, const Scalar, nb::ndim<N>>(data, N, shape.data(), owner);
 }
 
@@ -49,9 +49,9 @@ using Writable = WritableOf<double>;
 /// Values as an array of a shape that owns them, and may be written to.
 template <class Scalar>
 WritableOf<Scalar> writable(std::vector<Scalar> values, std::initializer_list<std::size_t> shape) {
-  auto kept = std::make_unique<std::vector<Scalar>>(std::move(values));
-  Scalar* data = kept->data();
-  nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<std::vector<Scalar>*>(p); });
+  auto owned = std::make_unique<std::vector<Scalar>>(std::move(values));
+  Scalar* data = owned->data();
+  nb::capsule owner(owned.release(), [](void* p) noexcept { delete static_cast<std::vector<Scalar>*>(p); });
   return WritableOf<Scalar>(data, shape, owner);
 }
 
@@ -133,10 +133,10 @@ struct type_caster<nonhertz::Matrix> {
     return true;
   }
   static handle from_cpp(nonhertz::Matrix values, rv_policy, cleanup_list* cleanup) noexcept {
-    auto kept = std::make_unique<nonhertz::Matrix>(std::move(values));
-    const double* data = kept->all().data();
-    const auto rows = static_cast<std::size_t>(kept->rows()), columns = static_cast<std::size_t>(kept->columns());
-    capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<nonhertz::Matrix*>(p); });
+    auto owned = std::make_unique<nonhertz::Matrix>(std::move(values));
+    const double* data = owned->all().data();
+    const auto rows = static_cast<std::size_t>(owned->rows()), columns = static_cast<std::size_t>(owned->columns());
+    capsule owner(owned.release(), [](void* p) noexcept { delete static_cast<nonhertz::Matrix*>(p); });
     return make_caster<nonhertz::MatrixOut>::from_cpp(nonhertz::MatrixOut(data, {rows, columns}, owner),
                                                       rv_policy::automatic, cleanup);
   }

@@ -33,11 +33,11 @@ class PythonLaw : public GroupLaw {
     const std::size_t count = rollers.size(), contacts = poses.size() / count;
     const auto numbers = nb::ndarray<nb::numpy, const Index>(rollers.data(), {count});
     const auto places = nb::ndarray<nb::numpy, const double>(&poses[0].approach, {count, contacts, 2});
-    const auto found = nb::cast<nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>>(
+    const auto values = nb::cast<nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>>(
         law_(nb::cast(numbers, nb::rv_policy::copy), nb::cast(places, nb::rv_policy::copy)));
-    if (found.size() * sizeof(double) != answers.size_bytes())
+    if (values.size() * sizeof(double) != answers.size_bytes())
       throw std::invalid_argument("a law must answer for every contact that it is asked for");
-    std::copy_n(found.data(), found.size(), &answers[0].load);
+    std::copy_n(values.data(), values.size(), &answers[0].load);
   }
 
  private:
@@ -163,7 +163,8 @@ void bind_strips_of_rollers(nb::module_& m) {
           },
           "The poses for which strips of the automatic grid were laid.")
       .def_prop_ro(
-          "asked", [](const StripLaw& self) { return self.work().asked; }, "How often each roller's contacts were.")
+          "evaluations", [](const StripLaw& self) { return self.work().evaluations; },
+          "How often the contacts of each roller were evaluated.")
       .def_prop_ro(
           "followed", [](const StripLaw& self) { return self.work().followed; }, "How many contacts were led on.")
       .def_prop_ro(

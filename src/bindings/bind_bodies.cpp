@@ -56,10 +56,10 @@ void bind_references(nb::module_& m) {
       .def(
           "by_width",
           [](const AxisOfRoller& self, View y, double ratio) {
-            Matrix found(4, count_of(y));
-            std::fill(found.all().begin(), found.all().end(), 0.0);
-            add_by_width(self, y, ratio, found);
-            return found;
+            Matrix sum(4, count_of(y));
+            std::fill(sum.all().begin(), sum.all().end(), 0.0);
+            add_by_width(self, y, ratio, sum);
+            return sum;
           },
           "y"_a, "ratio"_a);
 }
@@ -101,11 +101,11 @@ void bind_bodies(nb::module_& m) {
       },
       "a"_a, "b"_a, Released(), "a b, with the same last digits whatever the number of threads.");
   m.def(
-      "solved",
+      "solve_dense",
       [](Matrix a, Matrix b) {
         if (a.rows() != a.columns() || a.rows() != b.rows())
           throw std::invalid_argument("a must be square and have as many rows as b");
-        return solved(std::move(a), std::move(b));
+        return solve_dense(std::move(a), std::move(b));
       },
       "a"_a, "b"_a, Released(), "a^-1 b, with the same last digits whatever the number of threads.");
   bind_reliefs(m);

@@ -53,9 +53,9 @@ void bind_grids(nb::module_& m) {
   nb::class_<Accuracy>(m, "Accuracy", "The relative errors that an automatic grid aims for.")
       .def(nb::init<double, double>(), "of_motion"_a, "of_pressure"_a);
   m.def(
-      "bounded",
+      "bound_contact",
       [](const Model& model, Flags by_force, Pair target) {
-        return bounded(model, {by_force, target});
+        return bound_contact(model, {by_force, target});
       },
       "model"_a, "by_force"_a, "target"_a, Released(),
       "The interval in which to look for the contact [mm]; finite even where the bodies are unbounded.");
@@ -75,9 +75,9 @@ void bind_grids(nb::module_& m) {
   m.def(
       "first_strips",
       [](const Model& model, Flags by_force, Pair target) {
-        const Prescription given{by_force, target};
-        const auto [low, high] = bounded(model, given);
-        return first_strips(model, given, low, high);
+        const Prescription prescribed{by_force, target};
+        const auto [low, high] = bound_contact(model, prescribed);
+        return first_strips(model, prescribed, low, high);
       },
       "model"_a, "by_force"_a, "target"_a, Released(),
       "The edges of the equal strips that an automatic grid begins with [mm].");
@@ -98,7 +98,7 @@ void bind_grids(nb::module_& m) {
   m.def("intervals", &intervals, "grid"_a, "m"_a, "Both ends of every interval in contact [mm].");
   m.def("reaches", &reaches, "grid"_a, "m"_a, "side"_a,
         "Whether a contact extends to the outer edge of its strips on that side, -1 or 1.");
-  m.def("nearly_touching", &nearly_touching, "grid"_a, "m"_a, "place"_a,
+  m.def("is_nearly_touching", &is_nearly_touching, "grid"_a, "m"_a, "place"_a,
         "Whether the strip around a place or one of its neighbours is in contact.");
   m.def("width_near", &width_near, "grid"_a, "m"_a, "place"_a,
         "The largest half-width of the few strips in contact nearest to a place [mm].");
@@ -122,7 +122,7 @@ void bind_grids(nb::module_& m) {
         const auto region = model.region(low, high);
         const Level level{std::move(grid), state};
         std::vector<Pair> places;
-        if (!suspect(level, region->surveyed)) return places;
+        if (!suspect(level, region->samples_with_crests)) return places;
         for (const Extra& extra : overlaps(model, *region, level)) places.push_back({extra.place, extra.width});
         return places;
       },

@@ -76,13 +76,13 @@ void bind_judging(nb::module_& m) {
       },
       "model"_a, "by_force"_a, "target"_a, "levels"_a, "accuracy"_a, Released());
   m.def(
-      "counted",
+      "values_that_count",
       [](View y, View values, View half_width, View ends) {
         if (y.empty() || values.size() != y.size() || half_width.size() != y.size())
           throw std::invalid_argument("places, values and half-widths must be as many");
-        Counted found = counted(y, values, half_width, ends);
-        const Index at = found.at();
-        return std::tuple(std::move(found.places), std::move(found.values), at);
+        Counted result = values_that_count(y, values, half_width, ends);
+        const Index at = result.at();
+        return std::tuple(std::move(result.places), std::move(result.values), at);
       },
       "y"_a, "values"_a, "half_width"_a, "ends"_a);
   m.def(

@@ -21,11 +21,11 @@ void write(const MapState& state, double* to) {
 
 // What any program calls that knows the C convention.
 extern "C" {
-void pressed(const double* table, double approach, double tilt, double* state) {
-  write(ContactMap(table).pressed(approach, tilt), state);
+void at_approach(const double* table, double approach, double tilt, double* state) {
+  write(ContactMap(table).at_approach(approach, tilt), state);
 }
-void loaded(const double* table, double load, double tilt, double* state) {
-  write(ContactMap(table).loaded(load, tilt), state);
+void at_load(const double* table, double load, double tilt, double* state) {
+  write(ContactMap(table).at_load(load, tilt), state);
 }
 void pressures(const double* table, double load, double tilt, double* pressure_and_width) {
   const auto [pressure, width] = ContactMap(table).pressures(load, tilt);
@@ -59,14 +59,14 @@ void check_alike(View one, View other) {
 Matrix states(View table, bool by_load, View values, View tilts) {
   const ContactMap map = map_of(table);
   check_alike(values, tilts);
-  Matrix found(count_of(values), STATE + 2);
+  Matrix rows(count_of(values), STATE + 2);
   for (Index k = 0; k < count_of(values); ++k) {
-    const MapState state = by_load ? map.loaded(values[k], tilts[k]) : map.pressed(values[k], tilts[k]);
-    write(state, found[k].data());
+    const MapState state = by_load ? map.at_load(values[k], tilts[k]) : map.at_approach(values[k], tilts[k]);
+    write(state, rows[k].data());
     const auto [pressure, width] = map.pressures(state.load, tilts[k]);
-    found(k, STATE) = pressure, found(k, STATE + 1) = width;
+    rows(k, STATE) = pressure, rows(k, STATE + 1) = width;
   }
-  return found;
+  return rows;
 }
 
 /// How loads are shared by the strips between stations, a row for each load.
@@ -74,21 +74,21 @@ Matrix shares(View table, View loads, View tilts, View stations) {
   const ContactMap map = map_of(table);
   check_alike(loads, tilts);
   if (stations.size() < 2) throw std::invalid_argument("stations must be two or more");
-  Matrix found(count_of(loads), count_of(stations) - 1);
-  for (Index k = 0; k < count_of(loads); ++k) map.share(loads[k], tilts[k], stations, found[k]);
-  return found;
+  Matrix rows(count_of(loads), count_of(stations) - 1);
+  for (Index k = 0; k < count_of(loads); ++k) map.share(loads[k], tilts[k], stations, rows[k]);
+  return rows;
 }
 
 /// z and its five derivatives at x and tilts, a row each; of the numbers of a map only the head is read.
 Matrix tilt_coordinates(View numbers, View x, View tilts) {
   check_alike(x, tilts);
-  Matrix found(count_of(x), 6);
+  Matrix rows(count_of(x), 6);
   for (Index k = 0; k < count_of(x); ++k) {
     const TiltCoordinate z = head(numbers).tilt_coordinate(x[k], tilts[k]);
     const double row[] = {z.z, z.by_x, z.by_tilt, z.by_x_twice, z.by_x_and_tilt, z.by_tilt_twice};
-    std::copy_n(row, 6, found[k].begin());
+    std::copy_n(row, 6, rows[k].begin());
   }
-  return found;
+  return rows;
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void bind_maps(nb::module_& m) {
   m.def("map_shares", &shares, "table"_a, "loads"_a, "tilts"_a, "stations"_a, Released());
   m.def("map_tilt_coordinates", &tilt_coordinates, "numbers"_a, "x"_a, "tilts"_a);
   m.def("map_functions", [] {
-    return std::array{address(&pressed), address(&loaded), address(&pressures), address(&share)};
+    return std::array{address(&at_approach), address(&at_load), address(&pressures), address(&share)};
   });
 }
 

@@ -51,11 +51,11 @@ nb::list solved_in_turn(const Model& model, Flags by_force, const std::vector<Pa
   }
   signals.raise();
   nb::list ended;
-  for (Ended& each : cases) {
-    if (auto* result = std::get_if<Result>(&each))
+  for (Ended& ended_case : cases) {
+    if (auto* result = std::get_if<Result>(&ended_case))
       ended.append(nb::cast(std::move(*result)));
     else
-      ended.append(reason(std::get<std::exception_ptr>(each), refused_type));
+      ended.append(reason(std::get<std::exception_ptr>(ended_case), refused_type));
   }
   return ended;
 }
@@ -67,8 +67,8 @@ Result remade(const Model& model, Flags by_force, Pair target, const std::vector
     const bool is_checked = !accepted && remade.levels.empty();
     remade.levels.push_back({is_checked ? model.grid(edges) : model.springs(edges), state});
   }
-  return accepted ? judged(model, {by_force, target}, std::move(remade))
-                  : checked(model, {by_force, target}, std::move(remade));
+  return accepted ? judge_levels(model, {by_force, target}, std::move(remade))
+                  : check_and_judge(model, {by_force, target}, std::move(remade));
 }
 
 /// The sum of lengths, the error of each addition added at last.
@@ -131,7 +131,7 @@ void bind_solve(nb::module_& m) {
       .value("HIDDEN", Unmet::hidden);
   nb::class_<Shortfall>(m, "Shortfall")
       .def_ro("condition", &Shortfall::condition)
-      .def_ro("found", &Shortfall::found)
+      .def_ro("value", &Shortfall::value)
       .def_ro("at", &Shortfall::at);
   nb::class_<Result> result(m, "Result", "A case as it ended, judged.");
   view_property(result, "edges", [](const Result& self) -> const Numbers& { return self.finest().grid->edges; });

@@ -47,7 +47,7 @@ void bind_strip_parts(nb::module_& m) {
       [](const Matrix& from, const Matrix& left, const Matrix& right) {
         System system = system_of(from, right);
         const Index n = from.rows();
-        Matrix factor(padded(n), padded(n));
+        Matrix factor(padded_size(n), padded_size(n));
         std::fill(factor.all().begin(), factor.all().end(), 0.0);
         for (Index i = 0; i < n; ++i) std::copy_n(left[i].begin(), n, factor[i].begin());
         system.subtract_product(factor, system_of(from, right));
@@ -68,8 +68,8 @@ void bind_strip_parts(nb::module_& m) {
   m.def(
       "violation",
       [](const Grid& grid, Flags by_force, Pair target, const Kernel& kernel, State state) {
-        const double found = Newton(grid, kernel).violation({by_force, target}, state);
-        return std::pair(found, state);
+        const double violation = Newton(grid, kernel).violation({by_force, target}, state);
+        return std::pair(violation, state);
       },
       "grid"_a, "by_force"_a, "target"_a, "kernel"_a, "state"_a,
       "The largest relative violation of contact and balance, and the state with its gaps.");

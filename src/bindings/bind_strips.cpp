@@ -23,9 +23,9 @@ void matrix_property(nb::class_<Owner>& owner, const char* name, Matrix Owner::*
   owner.def_prop_ro(
       name,
       [of](nb::handle self) {
-        const Matrix& found = nb::cast<const Owner&>(self).*of;
-        const auto rows = static_cast<std::size_t>(found.rows()), columns = static_cast<std::size_t>(found.columns());
-        return MatrixOut(found.all().data(), {rows, columns}, self);
+        const Matrix& matrix = nb::cast<const Owner&>(self).*of;
+        const auto rows = static_cast<std::size_t>(matrix.rows()), columns = static_cast<std::size_t>(matrix.columns());
+        return MatrixOut(matrix.all().data(), {rows, columns}, self);
       },
       nb::rv_policy::reference);
 }
@@ -55,12 +55,12 @@ void bind_kernel(nb::module_& m) {
   m.def(
       "evaluate",
       [](const Element& of, View t) {
-        Matrix found(count_of(t), 4);
+        Matrix quantities(count_of(t), 4);
         for (Index i = 0; i < count_of(t); ++i) {
           const Four s = evaluate(t[i], of.table.data());
-          found(i, 0) = s.a(), found(i, 1) = s.ta(), found(i, 2) = s.b(), found(i, 3) = s.tb();
+          quantities(i, 0) = s.a(), quantities(i, 1) = s.ta(), quantities(i, 2) = s.b(), quantities(i, 3) = s.tb();
         }
-        return found;
+        return quantities;
       },
       "element"_a, "t"_a, "A, t A', B and t B', shape (t, 4).");
   nb::class_<Term>(m, "Term").def(nb::init<double, double, double>(), "sign"_a, "offset"_a, "weight"_a);
@@ -68,9 +68,9 @@ void bind_kernel(nb::module_& m) {
       "face_densities",
       [](const Element& of, Numbers distances, Matrix weights, View u, View v) {
         if (weights.columns() != 2 * count_of(distances) || u.size() != v.size()) throw std::invalid_argument("shapes");
-        Matrix found(2, count_of(u));
-        face_densities(of, {std::move(distances), std::move(weights)}, u, v, found[0], found[1]);
-        return found;
+        Matrix quantities(2, count_of(u));
+        face_densities(of, {std::move(distances), std::move(weights)}, u, v, quantities[0], quantities[1]);
+        return quantities;
       },
       "element"_a, "distances"_a, "weights"_a, "u"_a, "v"_a, Released(),
       "What a free side face adds to displacement and curvature of a load of unit length, shape (2, u).");
@@ -78,8 +78,8 @@ void bind_kernel(nb::module_& m) {
   m.def(
       "free_end",
       [](double u, double inner, double outer, const FaceTable& table, const Element& of) {
-        Squares kept;
-        const Four s = free_end(u, inner, outer, table.data(), of.table.data(), kept);
+        Squares cache;
+        const Four s = free_end(u, inner, outer, table.data(), of.table.data(), cache);
         return std::array{s.a(), s.ta(), s.b(), s.tb()};
       },
       "u"_a, "inner"_a, "outer"_a, "table"_a, "element"_a,
@@ -174,13 +174,13 @@ void bind_solving(nb::module_& m) {
   m.def(
       "coefficients",
       [](const Grid& grid, View m, const std::vector<Index>& active, const Kernel& kernel) {
-        Numbers found;
+        Numbers joined;
         Influence influence(grid, kernel);
         Blocks blocks;
         influence.keep_up(m);
         influence.coefficients(m, active, blocks);
-        for (const Matrix& block : blocks) found.insert(found.end(), block.all().begin(), block.all().end());
-        return array_of(std::move(found), std::array{std::size_t{4}, m.size(), active.size()});
+        for (const Matrix& block : blocks) joined.insert(joined.end(), block.all().begin(), block.all().end());
+        return array_of(std::move(joined), std::array{std::size_t{4}, m.size(), active.size()});
       },
       "grid"_a, "m"_a, "active"_a, "kernel"_a,
       "[A], [t A'], [B] and [t B'] of the active strips at the centres of all, shape (4, n, active).");
@@ -189,7 +189,7 @@ void bind_solving(nb::module_& m) {
       [](View y, const Grid& grid, Numbers r, Numbers m, const Kernel& kernel) {
         State state(0);
         state.r = std::move(r), state.m = std::move(m);
-        return on_the_surface(y, grid, state, kernel);
+        return surface_displacement(y, grid, state, kernel);
       },
       "y"_a, "grid"_a, "r"_a, "m"_a, "kernel"_a, "Displacement on the surface, points at depth left out.");
   m.def("by_own_width", &by_own_width, "by_width"_a, "strip"_a, "a"_a);

@@ -17,9 +17,9 @@ using PointsIn = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::d
 using SixesInOut = nb::ndarray<double, nb::shape<-1, 6>, nb::c_contig, nb::device::cpu>;
 
 std::vector<Panels::Range> ranges(const RangesIn& array) {
-  std::vector<Panels::Range> found;
-  for (std::size_t i = 0; i < array.shape(0); ++i) found.push_back({array(i, 0), array(i, 1)});
-  return found;
+  std::vector<Panels::Range> ranges;
+  for (std::size_t i = 0; i < array.shape(0); ++i) ranges.push_back({array(i, 0), array(i, 1)});
+  return ranges;
 }
 
 View view(const PointsIn& array) { return {array.data(), array.size()}; }

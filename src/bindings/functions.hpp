@@ -7,12 +7,12 @@
 namespace nonhertz {
 
 /// A Python object that is let go of with the interpreter's lock, wherever that happens.
-struct Held {
+struct SharedCallable {
   nb::callable of;
 
-  explicit Held(nb::callable function) : of(std::move(function)) {}
-  Held(const Held&) = delete;
-  ~Held() {
+  explicit SharedCallable(nb::callable function) : of(std::move(function)) {}
+  SharedCallable(const SharedCallable&) = delete;
+  ~SharedCallable() {
     const nb::gil_scoped_acquire lock;
     of.release().dec_ref();
   }
@@ -30,10 +30,10 @@ struct type_caster<nonhertz::Function> {
 
   bool from_python(handle source, auto, cleanup_list*) noexcept {
     if (!isinstance<callable>(source)) return false;
-    value = [held = std::make_shared<const nonhertz::Held>(borrow<callable>(source))](nonhertz::View y,
-                                                                                      nonhertz::Row out) {
+    value = [function = std::make_shared<const nonhertz::SharedCallable>(borrow<callable>(source))](nonhertz::View y,
+                                                                                                    nonhertz::Row out) {
       const gil_scoped_acquire lock;
-      const auto values = cast<nonhertz::Numbers>(held->of(nonhertz::Numbers(y.begin(), y.end())));
+      const auto values = cast<nonhertz::Numbers>(function->of(nonhertz::Numbers(y.begin(), y.end())));
       if (values.size() != y.size()) throw std::invalid_argument("a function must return as many numbers as it gets");
       std::copy(values.begin(), values.end(), out.begin());
     };
@@ -51,11 +51,11 @@ struct type_caster<nonhertz::MatrixFunction> {
 
   bool from_python(handle source, auto, cleanup_list*) noexcept {
     if (!isinstance<callable>(source)) return false;
-    value = [held = std::make_shared<const nonhertz::Held>(borrow<callable>(source))](nonhertz::View y,
-                                                                                      nonhertz::View edges) {
+    value = [function = std::make_shared<const nonhertz::SharedCallable>(borrow<callable>(source))](
+                nonhertz::View y, nonhertz::View edges) {
       const gil_scoped_acquire lock;
       auto values = cast<nonhertz::Matrix>(
-          held->of(nonhertz::Numbers(y.begin(), y.end()), nonhertz::Numbers(edges.begin(), edges.end())));
+          function->of(nonhertz::Numbers(y.begin(), y.end()), nonhertz::Numbers(edges.begin(), edges.end())));
       if (values.rows() != nonhertz::count_of(y) || values.columns() + 1 != nonhertz::count_of(edges))
         throw std::invalid_argument("a displacement must have a row for each place and a column for each strip");
       return values;

@@ -193,7 +193,7 @@ def start_from_other(other: Grid, solved: State, grid: Grid, by_force: Sequence[
 def product(a: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], b: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]:
     """a b, with the same last digits whatever the number of threads."""
 
-def solved(a: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], b: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]:
+def solve_dense(a: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], b: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)]:
     """a^-1 b, with the same last digits whatever the number of threads."""
 
 class Cubics:
@@ -340,7 +340,7 @@ class Accuracy:
 
     def __init__(self, of_motion: float, of_pressure: float) -> None: ...
 
-def bounded(model: Model, by_force: Sequence[bool], target: Sequence[float]) -> list[float]:
+def bound_contact(model: Model, by_force: Sequence[bool], target: Sequence[float]) -> list[float]:
     """
     The interval in which to look for the contact [mm]; finite even where the bodies are unbounded.
     """
@@ -375,7 +375,7 @@ def reaches(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,),
     Whether a contact extends to the outer edge of its strips on that side, -1 or 1.
     """
 
-def nearly_touching(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], place: float) -> bool:
+def is_nearly_touching(grid: Grid, m: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], place: float) -> bool:
     """
     Whether the strip around a place or one of its neighbours is in contact.
     """
@@ -544,7 +544,7 @@ class Level:
 
 def judge(model: Model, by_force: Sequence[bool], target: Sequence[float], levels: Sequence[Level], accuracy: float) -> Judgement: ...
 
-def counted(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], values: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], ends: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], int]: ...
+def values_that_count(y: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], values: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], ends: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], int]: ...
 
 def corner_ends(bends: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], compliance: float, separation: Callable[[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]], edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], pressure: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], half_width: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]: ...
 
@@ -574,7 +574,7 @@ class Shortfall:
     def condition(self) -> Unmet: ...
 
     @property
-    def found(self) -> float: ...
+    def value(self) -> float: ...
 
     @property
     def at(self) -> int: ...
@@ -705,8 +705,8 @@ class StripLaw(GroupLaw):
         """The poses for which strips of the automatic grid were laid."""
 
     @property
-    def asked(self) -> dict[int, int]:
-        """How often each roller's contacts were."""
+    def evaluations(self) -> dict[int, int]:
+        """How often the contacts of each roller were evaluated."""
 
     @property
     def followed(self) -> int:

@@ -88,15 +88,15 @@ def with_relief(relief):
 def test_endless_bodies_with_a_wall_on_one_side_are_looked_at_on_the_other_too():
     wall = with_relief(lambda y: np.where(y < -1.0, np.inf, y**2 / 2000.0))
     endless = nh.Contact(nh.Ring(diameter=20, profile=wall.a.profile), nh.Plate())
-    low, high = core.bounded(model_of(endless), *prescription(load=1e-4, moment=0.5e-4))
+    low, high = core.bound_contact(model_of(endless), *prescription(load=1e-4, moment=0.5e-4))
     assert low == pytest.approx(-1.0)
     assert 0.5 < high < 100.0
     with pytest.raises(core.Refused) as refused:
-        core.bounded(model_of(endless), *prescription(load=1e-4, moment=-1.1e-4))
+        core.bound_contact(model_of(endless), *prescription(load=1e-4, moment=-1.1e-4))
     assert refused.value.args[0] is core.Refusal.ARM_OUTSIDE
 
 
 def test_a_contact_that_nothing_ends_is_refused():
     with pytest.raises(core.Refused) as refused:
-        core.bounded(model_of(nh.Contact(nh.Ring(diameter=20), nh.Plate())), *prescription(load=1e-4))
+        core.bound_contact(model_of(nh.Contact(nh.Ring(diameter=20), nh.Plate())), *prescription(load=1e-4))
     assert refused.value.args[0] is core.Refusal.NO_END

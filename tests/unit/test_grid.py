@@ -341,7 +341,7 @@ def test_a_kink_counts_in_contact_and_in_the_strips_beside_it():
     grid, state = crowned_on_part(-10.0, 10.0, 40)
     last = np.flatnonzero(state.m > 0.0)[-1]
     assert last < state.m.size - 4
-    near = [core.nearly_touching(grid, state.m, float(grid.y[at])) for at in range(last, last + 4)]
+    near = [core.is_nearly_touching(grid, state.m, float(grid.y[at])) for at in range(last, last + 4)]
     assert near == [True, True, False, False]
 
 

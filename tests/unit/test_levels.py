@@ -81,7 +81,7 @@ def test_bodies_without_ends_are_looked_at_as_far_as_the_contact_calls_for(times
         exact = nh.hertz.point_contact(
             load=load * times**2, radius_x=50 * times, radius_y=50 * times, compliance=contact.compliance
         )
-    low, high = core.bounded(model_of(contact), (False, False), (exact.approach, 0.0))
+    low, high = core.bound_contact(model_of(contact), (False, False), (exact.approach, 0.0))
     assert low < -exact.half_length
     assert high > exact.half_length
     assert high - low < 20.0 * exact.half_length

@@ -27,7 +27,7 @@ Balance::Balance(const Assembly& assembly, const Conditions& conditions, const B
       answers_(poses_.size()),
       rollers_(assembly.ring.size()),
       limit_(CLOSE),
-      left_(std::numeric_limits<double>::infinity()),
+      residual_(std::numeric_limits<double>::infinity()),
       times_(rollers_.size()) {
   const auto columns = static_cast<std::size_t>(assembly.columns);
   for (std::size_t j = 0; j < rollers_.size(); ++j) {
@@ -41,10 +41,10 @@ Balance::Balance(const Assembly& assembly, const Conditions& conditions, const B
   ask_all();
 }
 
-Equilibrium Balance::found(const Stop& stop) {
+Equilibrium Balance::solve(const Stop& stop) {
   do stop.look();
   while (answer(stop) && advance());
-  Equilibrium state{ring_.motion, ring_.force, ring_.stiffness, left_, ring_.trial.steps, {}, {}, {}};
+  Equilibrium state{ring_.motion, ring_.force, ring_.stiffness, residual_, ring_.trial.steps, {}, {}, {}};
   for (const Roller& roller : rollers_) state.rollers.push_back(roller.motion);
   state.poses = std::move(poses_), state.answers = std::move(answers_);
   return state;
@@ -58,8 +58,8 @@ bool Balance::answer(const Stop& stop) {
   if (most >= (solved ? MOST_ASKED : MOST_ROUNDS)) return false;
   for (Index j = 0; j < assembly_.rollers(); ++j) {
     Roller& roller = rollers_[j];
-    times_[j] += solved ? roller.asked : 1;
-    if (!roller.asked) continue;
+    times_[j] += solved ? roller.pending : 1;
+    if (!roller.pending) continue;
     const auto contacts = assembly_.contacts(j);
     for (Index c = 0; c < assembly_.columns; ++c) {
       if (contacts[c].law == RollerContact::NO_LAW) continue;
@@ -75,7 +75,7 @@ bool Balance::answer(const Stop& stop) {
 void Balance::answer(const Group& group, const Stop& stop) {
   numbers_.clear(), asked_poses_.clear();
   for (Index j = group.first; j < group.end; ++j) {
-    if (!rollers_[j].asked) continue;
+    if (!rollers_[j].pending) continue;
     numbers_.push_back(first_number_ + j);
     for (const Index c : group.columns) asked_poses_.push_back(rollers_[j].poses[c]);
   }
@@ -90,7 +90,7 @@ void Balance::answer(const Group& group, const Stop& stop) {
 /// found or no step remains.
 bool Balance::advance() {
   for (Index j = 0; j < assembly_.rollers(); ++j)
-    if (rollers_[j].asked) add_up(j);
+    if (rollers_[j].pending) add_up(j);
   const double size = this->size();
   Trial& trial = ring_.trial;
   if (phase_ == Phase::together) {
@@ -98,15 +98,15 @@ bool Balance::advance() {
     const bool stepped = trial.steps > 0;
     // A few rollers that leave or enter the load zone are no reason to give up a step that suits all others.
     const auto stray =
-        std::count_if(rollers_.begin(), rollers_.end(), [&](const Roller& r) { return r.left > enough; });
+        std::count_if(rollers_.begin(), rollers_.end(), [&](const Roller& r) { return r.residual > enough; });
     if (!stepped || static_cast<double>(stray) <= MOST_STRAY * static_cast<double>(rollers_.size())) {
       if (rollers_step(enough)) return true;
       const Imbalance off = condense(size);
-      const double left = std::max(off.ring, off.rollers / OF_ROLLER);
-      if (left <= conditions_.tolerance) return false;
-      if (left <= limit_ && trial.steps < conditions_.steps) {
+      const double residual = std::max(off.ring, off.rollers / OF_ROLLER);
+      if (residual <= conditions_.tolerance) return false;
+      if (residual <= limit_ && trial.steps < conditions_.steps) {
         step_together(off.loads);
-        limit_ = std::min(CLOSE, LEADS_ON * left);
+        limit_ = std::min(CLOSE, LEADS_ON * residual);
         return true;
       }
     }
@@ -120,10 +120,10 @@ bool Balance::advance() {
   }
   if (rollers_step(OF_ROLLER * conditions_.tolerance * size)) return true;
   const Imbalance off = condense(size);
-  if (!shortened(trial, ring_.off, ring_.step, ring_.stiffness)) {
+  if (!shorten(trial, ring_.off, ring_.step, ring_.stiffness)) {
     const auto& by_force = conditions_.by_force;
-    const bool held = std::none_of(by_force.begin(), by_force.end(), [](bool given) { return given; });
-    if (left_ <= conditions_.tolerance || held || trial.steps >= conditions_.steps) return false;
+    const bool displaced = std::none_of(by_force.begin(), by_force.end(), [](bool flag) { return flag; });
+    if (residual_ <= conditions_.tolerance || displaced || trial.steps >= conditions_.steps) return false;
     follow_ring(off.loads);
     try_whole(trial, ring_.off, ring_.step);
   }
@@ -134,7 +134,7 @@ bool Balance::advance() {
 /// Add up the forces on the ring, its stiffness with rollers that follow in balance, and the load on a roller.
 Balance::Imbalance Balance::condense(double size) {
   ring_.force = {}, ring_.stiffness = {};
-  double most = 0.0, sum = 0.0, worst = rollers_[0].left;
+  double most = 0.0, sum = 0.0, worst = rollers_[0].residual;
   for (const Roller& roller : rollers_) most = std::max(most, largest(roller.on_ring));
   for (Index j = 0; j < assembly_.rollers(); ++j) {
     const Roller& roller = rollers_[j];
@@ -155,18 +155,18 @@ Balance::Imbalance Balance::condense(double size) {
   for (const Roller& roller : rollers_) {
     sum += std::abs(roller.on_ring[0]);
     sum += std::abs(roller.on_ring[1]);
-    worst = larger(worst, roller.left);
+    worst = larger(worst, roller.residual);
   }
-  double left = 0.0, loads = std::max(std::numeric_limits<double>::min(), sum);
+  double residual = 0.0, loads = std::max(std::numeric_limits<double>::min(), sum);
   for (Index b = 0; b < 5; ++b) {
     ring_.off[b] = conditions_.by_force[b] ? target_[b] - ring_.force[b] : 0.0;
     if (!conditions_.by_force[b]) continue;
     loads = std::max(loads, std::abs(target_[b]) / assembly_.reach[b]);
-    left = std::max(left, std::abs(ring_.off[b]) / assembly_.reach[b]);
+    residual = std::max(residual, std::abs(ring_.off[b]) / assembly_.reach[b]);
   }
   const double of_rollers = size > 0.0 ? worst / size : 0.0;
-  left_ = std::max(left / loads, of_rollers);
-  return {left / loads, of_rollers, loads};
+  residual_ = std::max(residual / loads, of_rollers);
+  return {residual / loads, of_rollers, loads};
 }
 
 /// Move ring and rollers at once, near the balance.
@@ -192,11 +192,11 @@ void Balance::follow_ring(double loads) {
   const auto& by_force = conditions_.by_force;
   ring_.before = ring_.motion;
   // A small stiffness against all motions, so that a ring without contact moves in the direction of its load.
-  const double held = HELD_BACK * std::min(left_, 1.0) * loads / conditions_.depth;
+  const double resistance = RESISTANCE * std::min(residual_, 1.0) * loads / conditions_.depth;
   Small<5, 5> matrix{};
   for (Index a = 0; a < 5; ++a) {
     for (Index b = 0; b < 5; ++b) matrix[a][b] = by_force[a] && by_force[b] ? ring_.stiffness[a][b] : 0.0;
-    matrix[a][a] += by_force[a] ? held * (assembly_.reach[a] * assembly_.reach[a]) : 1.0;
+    matrix[a][a] += by_force[a] ? resistance * (assembly_.reach[a] * assembly_.reach[a]) : 1.0;
   }
   const auto step = eliminate(matrix, column(ring_.off), {1.0, 1.0, 1.0, 1.0, 1.0});
   for (Index b = 0; b < 5; ++b) ring_.step[b] = step[b][0];
@@ -205,7 +205,7 @@ void Balance::follow_ring(double loads) {
     Roller& roller = rollers_[j];
     roller.resting = roller.motion;
     most = std::max(most, deepest(j));
-    roller.follows = following(j, ring_.step);
+    roller.follows = guided_motion(j, ring_.step);
     const Vector<3> at_roller = product(assembly_.ring[j], ring_.step);
     for (Index a = 0; a < 2; ++a) moved = larger(moved, std::abs(at_roller[a]));
   }

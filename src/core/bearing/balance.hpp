@@ -46,10 +46,10 @@ struct Equilibrium {
 
 /// A trial step of the ring or of a roller, which may be shortened.
 struct Trial {
-  double slope = 0.0;  ///< along the step at its beginning
-  double share = 0.0;  ///< fraction of it that is tried
-  int shortened = 0;   ///< number of times it was shortened
-  int steps = 0;       ///< number of steps taken
+  double slope = 0.0;   ///< along the step at its beginning
+  double share = 0.0;   ///< fraction of it that is tried
+  int shortenings = 0;  ///< of this step
+  int steps = 0;        ///< number of steps taken
   bool searching = false;
 };
 
@@ -58,7 +58,7 @@ template <std::size_t N>
 void try_whole(Trial& trial, const std::array<double, N>& off, const std::array<double, N>& step) {
   trial.slope = 0.0;
   for (std::size_t a = 0; a < N; ++a) trial.slope += off[a] * step[a];
-  trial.share = 1.0, trial.shortened = 0, trial.searching = true;
+  trial.share = 1.0, trial.shortenings = 0, trial.searching = true;
   ++trial.steps;
 }
 
@@ -68,8 +68,8 @@ void try_whole(Trial& trial, const std::array<double, N>& off, const std::array<
 /// loads grow faster with penetration, the line through both slopes vanishes before the best fraction, often where the
 /// bodies are apart again, and the tangent at the end vanishes beyond it.
 template <std::size_t N>
-bool shortened(Trial& trial, const std::array<double, N>& off, const std::array<double, N>& step,
-               const std::array<std::array<double, N>, N>& stiffness) {
+bool shorten(Trial& trial, const std::array<double, N>& off, const std::array<double, N>& step,
+             const std::array<std::array<double, N>, N>& stiffness) {
   constexpr double OVERSHOT = 0.5;  // of the slope along a step: permitted backward slope at its end
   constexpr int SHORTENINGS = 30;
   const double first = trial.slope;
@@ -79,19 +79,19 @@ bool shortened(Trial& trial, const std::array<double, N>& off, const std::array<
     for (std::size_t b = 0; b < N; ++b) bend += step[a] * stiffness[a][b] * step[b];
   }
   const bool backwards = slope < -OVERSHOT * first && first > 0.0;
-  trial.searching = trial.searching && backwards && trial.shortened < SHORTENINGS;
+  trial.searching = trial.searching && backwards && trial.shortenings < SHORTENINGS;
   if (!trial.searching) return false;
   const double tangent = bend > 0.0 ? 1.0 + slope / (bend * trial.share) : 0.0;
   trial.share *= std::min(std::max(std::max(first / (first - slope), tangent), 0.1), 0.9);
-  ++trial.shortened;
+  ++trial.shortenings;
   return true;
 }
 
 /// The larger of two numbers, or NaN if either is.
 inline double larger(double one, double other) { return std::isnan(other) || other > one ? other : one; }
 
-inline constexpr double CAUTION = 8.0;     // a step may add this many penetrations
-inline constexpr double HELD_BACK = 1e-3;  // of loads over the expected penetration
+inline constexpr double CAUTION = 8.0;      // a step may add this many penetrations
+inline constexpr double RESISTANCE = 1e-3;  // of loads over the expected penetration
 
 /// The fraction of a step that increases no penetration much beyond a depth [mm].
 inline double cautious(double moved, double deepest) {
@@ -110,9 +110,9 @@ struct Roller {
   Vector<3> resting{},
       follows{};               ///< its position at the start of the ring's step, and its motion over the whole of it
   Vector<3> off{}, on_ring{};  ///< residual of its balance, and the force of the inner ring on it
-  double left = 0.0;           ///< largest component of the residual [N]
+  double residual = 0.0;       ///< largest component of the residual [N]
   Small<3, 3> whole{}, of_ring{};  ///< stiffness of all its contacts, and of those with the inner ring
-  bool asked = true;               ///< whether its contacts are to be evaluated
+  bool pending = true;             ///< whether its contacts are to be evaluated
   Trial trial;
   std::span<Pose> poses;
   std::span<Answer> answers;
@@ -124,7 +124,7 @@ class Balance {
   Balance(const Assembly& assembly, const Conditions& conditions, const Beginning& begin, Index state);
   Balance(const Balance&) = delete;
 
-  Equilibrium found(const Stop& stop);
+  Equilibrium solve(const Stop& stop);
 
  private:
   enum class Phase { together, in_turn };
@@ -143,7 +143,7 @@ class Balance {
   double largest(const Vector<3>& forces) const;
   double largest_motion(const Vector<3>& step) const;
   double size() const;
-  Vector<3> following(Index j, const Vector<5>& motion) const;
+  Vector<3> guided_motion(Index j, const Vector<5>& motion) const;
   bool rollers_step(double enough);
   Vector<3> roller_step(Index j) const;
   double deepest(Index j) const;
@@ -164,7 +164,7 @@ class Balance {
   std::vector<Roller> rollers_;
   Phase phase_ = Phase::together;
   double limit_;            // residual below which ring and rollers take the next step together, over the loads
-  double left_;             // residual, over the loads
+  double residual_;         // residual, over the loads
   std::vector<int> times_;  // number of evaluations of the contacts of rollers
   // Buffers for evaluations of a law of many contacts.
   std::vector<Index> numbers_;

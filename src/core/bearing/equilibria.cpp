@@ -18,7 +18,7 @@ std::vector<Equilibrium> equilibria(const Assembly& assembly, const Conditions& 
   std::vector<Equilibrium> states(beginnings.size());
   const auto solve_part = [&](std::size_t first, const Stop& stop) {
     for (std::size_t k = first; k < std::min(first + PART, states.size()); ++k)
-      states[k] = Balance(assembly, conditions, beginnings[k], static_cast<Index>(k)).found(stop);
+      states[k] = Balance(assembly, conditions, beginnings[k], static_cast<Index>(k)).solve(stop);
   };
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;

@@ -28,8 +28,8 @@ Answer Slices::answer(const Pose& pose) const {
 
 Answer MapLaw::answer(const Pose& pose) const {
   const ContactMap map(table.data());
-  const MapState state = map.pressed(pose.approach, pose.tilt);
-  const double first_touch = map.loaded(0.0, pose.tilt).approach;
+  const MapState state = map.at_approach(pose.approach, pose.tilt);
+  const double first_touch = map.at_load(0.0, pose.tilt).approach;
   return {state.load,         state.moment,         state.load_by_approach,     state.load_by_tilt,
           state.load_by_tilt, state.moment_by_tilt, pose.approach - first_touch};
 }

@@ -26,7 +26,7 @@ Pose closer(const RollerContact& contact, const Vector<3>& step) {
 /// Request evaluation of a roller's contacts at the present positions of roller and ring.
 void Balance::ask(Index j) {
   Roller& roller = rollers_[j];
-  roller.asked = true;
+  roller.pending = true;
   const auto contacts = assembly_.contacts(j);
   for (Index c = 0; c < assembly_.columns; ++c) {
     Pose pose{-contacts[c].gap, 0.0};
@@ -66,7 +66,7 @@ void Balance::add_up(Index j) {
       }
     }
   }
-  roller.left = largest(roller.off);
+  roller.residual = largest(roller.off);
 }
 
 /// The largest of forces and moment on a roller, in terms of force [N].
@@ -105,12 +105,12 @@ void Balance::follow_alike() {
     std::fill(rollers_[j].answers.begin(), rollers_[j].answers.end(), alike);
     add_up(j);
     std::fill(rollers_[j].answers.begin(), rollers_[j].answers.end(), Answer{});
-    rollers_[j].motion = following(j, ring_.motion);
+    rollers_[j].motion = guided_motion(j, ring_.motion);
   }
 }
 
 /// Motion of a roller with the ring if its contacts keep their stiffness.
-Vector<3> Balance::following(Index j, const Vector<5>& motion) const {
+Vector<3> Balance::guided_motion(Index j, const Vector<5>& motion) const {
   const Roller& roller = rollers_[j];
   const Vector<3> pushed = product(roller.of_ring, product(assembly_.ring[j], motion));
   const auto follows = eliminate(roller.whole, column(pushed), assembly_.scale);
@@ -122,9 +122,9 @@ bool Balance::rollers_step(double enough) {
   bool any = false;
   for (Index j = 0; j < assembly_.rollers(); ++j) {
     Roller& roller = rollers_[j];
-    if (!shortened(roller.trial, roller.off, roller.step, roller.whole)) {
-      roller.asked = roller.left > enough && roller.trial.steps < conditions_.steps;
-      if (!roller.asked) continue;
+    if (!shorten(roller.trial, roller.off, roller.step, roller.whole)) {
+      roller.pending = roller.residual > enough && roller.trial.steps < conditions_.steps;
+      if (!roller.pending) continue;
       roller.before = roller.motion, roller.step = roller_step(j);
       try_whole(roller.trial, roller.off, roller.step);
     }
@@ -139,9 +139,9 @@ bool Balance::rollers_step(double enough) {
 Vector<3> Balance::roller_step(Index j) const {
   const Roller& roller = rollers_[j];
   // As for the ring: without resistance a roller moves in the direction of its load, in small steps.
-  const double held = HELD_BACK * roller.left / conditions_.depth;
+  const double resistance = RESISTANCE * roller.residual / conditions_.depth;
   Small<3, 3> matrix = roller.whole;
-  for (Index a = 0; a < 3; ++a) matrix[a][a] += held * (assembly_.scale[a] * assembly_.scale[a]);
+  for (Index a = 0; a < 3; ++a) matrix[a][a] += resistance * (assembly_.scale[a] * assembly_.scale[a]);
   const auto solved = eliminate(matrix, column(roller.off), assembly_.scale);
   Vector<3> step{solved[0][0], solved[1][0], solved[2][0]};
   if (is_let_go(j, step)) step = times(LETS_GO, step);
@@ -178,7 +178,7 @@ bool Balance::is_let_go(Index j, const Vector<3>& step) const {
 /// hundreds of times too deep take long to solve.
 double Balance::share_of_step(Index j, const Vector<3>& step) const {
   const auto contacts = assembly_.contacts(j);
-  const double expected = std::pow(rollers_[j].left / assembly_.stiffness, 1.0 / STIFFENING);
+  const double expected = std::pow(rollers_[j].residual / assembly_.stiffness, 1.0 / STIFFENING);
   double share = 1.0;
   for (Index c = 0; c < assembly_.columns; ++c) {
     const Answer& answer = rollers_[j].answers[c];

@@ -23,7 +23,7 @@ constexpr double LIGHT =
 constexpr double UNRESOLVED = 1e-10;  // of it: an overlap whose load the balance does not resolve
 
 /// A number rounded in decimal to so many digits.
-double rounded(double value, int places) {
+double round_to(double value, int places) {
   char text[400];
   std::snprintf(text, sizeof text, "%.*f", std::clamp(places, 0, 330), value);
   return std::strtod(text, nullptr);
@@ -42,16 +42,16 @@ bool same(const Pose& one, const Pose& other) { return one.approach == other.app
 StripLaw::StripLaw(std::vector<std::shared_ptr<StrippedContact>> contacts, std::optional<Index> strips)
     : few_(strips.has_value()) {
   for (auto& contact : contacts) {
-    auto few = few_ ? contact->even(*strips) : nullptr;
+    auto few = few_ ? contact->lay_evenly(*strips) : nullptr;
     sides_.push_back({std::move(contact), std::move(few), {}, {}});
   }
-  const Samples &one = sides_.front().contact->surveyed(), &other = sides_.back().contact->surveyed();
+  const Samples &one = sides_.front().contact->samples(), &other = sides_.back().contact->samples();
   alike_ = !few_ && sides_.size() == 2 && one.y == other.y && close(one.h, other.h);
 }
 
 void StripLaw::answer(std::span<const Index> rollers, std::span<const Pose> poses, std::span<Answer> answers,
                       const Stop& stop) {
-  for (const Index roller : rollers) ++work_.asked[roller];
+  for (const Index roller : rollers) ++work_.evaluations[roller];
   for (std::size_t side = 0; side < sides_.size(); ++side) answer_side(side, rollers, poses, answers, stop);
 }
 
@@ -74,14 +74,14 @@ void StripLaw::answer_side(std::size_t number, std::span<const Index> rollers, s
   std::vector<Question> missing;
   for (std::size_t n = 0; n < rollers.size(); ++n) {
     if (!(depth[n] > least)) continue;
-    const auto key = std::pair(rounded(own[n].approach, places), rounded(own[n].tilt, places));
+    const auto key = std::pair(round_to(own[n].approach, places), round_to(own[n].tilt, places));
     like[n] = first.try_emplace(key, n).first->second;
     if (like[n] != n) continue;
     const Question to{rollers[n], own[n], depth[n]};
-    if (!moves(side, to, stop)) missing.push_back(to);
+    if (!try_move(side, to, stop)) missing.push_back(to);
   }
   if (alike_) lay_deeper(number, missing, rollers, poses, stop);
-  std::erase_if(missing, [&](const Question& to) { return takes(number, to, stop); });
+  std::erase_if(missing, [&](const Question& to) { return try_solve(number, to, stop); });
   lay(side, missing, stop);
   for (std::size_t n = 0; n < rollers.size(); ++n) {
     Answer& answer = answers[n * sides_.size() + number];
@@ -106,16 +106,16 @@ void StripLaw::answer_side(std::size_t number, std::span<const Index> rollers, s
 void StripLaw::lay_deeper(std::size_t number, const std::vector<Question>& missing, std::span<const Index> rollers,
                           std::span<const Pose> poses, const Stop& stop) {
   Side& other = sides_[1 - number];
-  std::vector<Pose> there;
+  std::vector<Pose> opposite;
   for (const Question& to : missing) {
     const auto n = static_cast<std::size_t>(std::find(rollers.begin(), rollers.end(), to.roller) - rollers.begin());
-    there.push_back(poses[2 * n + 1 - number]);
+    opposite.push_back(poses[2 * n + 1 - number]);
   }
-  const Numbers depth = other.contact->penetration(there);
+  const Numbers depth = other.contact->penetration(opposite);
   std::vector<Question> met;
   for (std::size_t k = 0; k < missing.size(); ++k) {
-    const Question to{missing[k].roller, there[k], depth[k]};
-    if (depth[k] > missing[k].depth && !moves(other, to, stop)) met.push_back(to);
+    const Question to{missing[k].roller, opposite[k], depth[k]};
+    if (depth[k] > missing[k].depth && !try_move(other, to, stop)) met.push_back(to);
   }
   lay(other, met, stop);
 }
@@ -123,19 +123,19 @@ void StripLaw::lay_deeper(std::size_t number, const std::vector<Question>& missi
 void StripLaw::lay(Side& side, const std::vector<Question>& contacts, const Stop& stop) {
   for (const Question& to : contacts) {
     work_.laid_for.push_back(to.pose);
-    side.laid[to.roller] = side.contact->laid(to.pose, to.depth, stop);
+    side.laid[to.roller] = side.contact->lay(to.pose, to.depth, stop);
   }
 }
 
 /// Move a contact to the requested pose on its present strips; return whether that succeeds.
-bool StripLaw::moves(Side& side, const Question& to, const Stop& stop) {
+bool StripLaw::try_move(Side& side, const Question& to, const Stop& stop) {
   const auto known = side.laid.find(to.roller);
   if (known == side.laid.end() || !(few_ || suits(side, *known->second, to, near_))) return false;
   SharedContact laid = known->second;
   if (!same(laid->pose, to.pose)) {
-    SharedContact moved = side.contact->followed(*laid, to.pose);
+    SharedContact moved = side.contact->follow(*laid, to.pose);
     ++(moved ? work_.followed : work_.solved);
-    laid = moved ? moved : side.contact->solved(*laid, to.pose, stop);
+    laid = moved ? moved : side.contact->solve(*laid, to.pose, stop);
   }
   if (!laid) return false;
   known->second = std::move(laid);
@@ -143,21 +143,21 @@ bool StripLaw::moves(Side& side, const Question& to, const Stop& stop) {
 }
 
 /// Solve a contact on few strips, or on those of the same roller's other contact if they suit it.
-bool StripLaw::takes(std::size_t number, const Question& to, const Stop& stop) {
+bool StripLaw::try_solve(std::size_t number, const Question& to, const Stop& stop) {
   Side& side = sides_[number];
-  SharedContact found;
+  SharedContact contact;
   if (few_) {
     ++work_.solved;
-    found = side.contact->solved(side.few, to.pose, to.depth, stop);
+    contact = side.contact->solve(side.few, to.pose, to.depth, stop);
   } else if (alike_) {
     const auto other = sides_[1 - number].laid.find(to.roller);
     if (other != sides_[1 - number].laid.end() && suits(side, *other->second, to, true)) {
-      found = side.contact->followed(side.contact->on_strips_of(*other->second), to.pose);
-      work_.followed += found != nullptr;
+      contact = side.contact->follow(side.contact->on_strips_of(*other->second), to.pose);
+      work_.followed += contact != nullptr;
     }
   }
-  if (!found) return false;
-  side.laid[to.roller] = std::move(found);
+  if (!contact) return false;
+  side.laid[to.roller] = std::move(contact);
   return true;
 }
 

@@ -10,9 +10,9 @@ namespace nonhertz {
 
 /// Cost of the evaluations of a law.
 struct StripWork {
-  std::unordered_map<Index, Index> asked;  ///< number of evaluations of the contacts of each roller
-  std::vector<Pose> laid_for;              ///< poses for which automatic strips were laid
-  Index followed = 0, solved = 0;          ///< numbers of contacts moved to other poses, and solved on strips
+  std::unordered_map<Index, Index> evaluations;  ///< number of evaluations of the contacts of each roller
+  std::vector<Pose> laid_for;                    ///< poses for which automatic strips were laid
+  Index followed = 0, solved = 0;                ///< numbers of contacts moved to other poses, and solved on strips
 };
 
 class StripLaw : public GroupLaw {
@@ -54,8 +54,8 @@ class StripLaw : public GroupLaw {
   void lay_deeper(std::size_t side, const std::vector<Question>& missing, std::span<const Index> rollers,
                   std::span<const Pose> poses, const Stop& stop);
   void lay(Side& side, const std::vector<Question>& contacts, const Stop& stop);
-  bool moves(Side& side, const Question& to, const Stop& stop);
-  bool takes(std::size_t side, const Question& to, const Stop& stop);
+  bool try_move(Side& side, const Question& to, const Stop& stop);
+  bool try_solve(std::size_t side, const Question& to, const Stop& stop);
   bool suits(const Side& side, const LaidContact& laid, const Question& to, bool near) const;
 
   std::vector<Side> sides_;

@@ -14,7 +14,7 @@ constexpr int CLOSER_LOOKS = 4;
 constexpr std::size_t KEPT_LOOPS = 32;  // each takes about half a megabyte
 constexpr Prescription MOVED{{false, false}, {0.0, 0.0}};
 
-Prescription moved(const Pose& pose) { return {{false, false}, {pose.approach, pose.tilt}}; }
+Prescription displaced_to(const Pose& pose) { return {{false, false}, {pose.approach, pose.tilt}}; }
 
 /// Ascending and without repeats.
 Numbers unique(Numbers places) {
@@ -35,19 +35,19 @@ Numbers even_places(double low, double high, Index intervals) {
 
 StrippedContact::StrippedContact(std::shared_ptr<const Model> model)
     : model_(std::move(model)), kernel_(model_, &model_->kernel()) {
-  const Pair interval = bounded(*model_, MOVED);
+  const Pair interval = bound_contact(*model_, MOVED);
   low_ = interval[0], high_ = interval[1];
-  surveyed_.y = even_places(low_, high_, PLACES);
+  samples_.y = even_places(low_, high_, PLACES);
   for (const double crest : model_->contact().crests)
-    if (low_ < crest && crest < high_) surveyed_.y.push_back(crest);
-  surveyed_.y = unique(std::move(surveyed_.y));
-  surveyed_.h = model_->separation(surveyed_.y);
+    if (low_ < crest && crest < high_) samples_.y.push_back(crest);
+  samples_.y = unique(std::move(samples_.y));
+  samples_.h = model_->separation(samples_.y);
 }
 
 Numbers StrippedContact::penetration(std::span<const Pose> poses) const {
   Numbers most(poses.size(), -std::numeric_limits<double>::infinity());
   if (poses.empty()) return most;
-  View y = surveyed_.y, h = surveyed_.h;
+  View y = samples_.y, h = samples_.h;
   std::size_t count = y.size(), apart = 0;  // distance between the places of two poses: zero at first
   Numbers closer_y, closer_h;
   // A law that missed an overlap between two places would jump from zero load: search closer and closer.
@@ -72,7 +72,7 @@ Numbers StrippedContact::penetration(std::span<const Pose> poses) const {
   }
 }
 
-std::shared_ptr<const Grid> StrippedContact::even(Index strips) const {
+std::shared_ptr<const Grid> StrippedContact::lay_evenly(Index strips) const {
   Numbers edges = even_places(low_, high_, strips);
   // Where corners begin, or else at the ends, in parts: a roller that tips over may carry its load close to there.
   double low = low_, high = high_;
@@ -88,31 +88,31 @@ std::shared_ptr<const Grid> StrippedContact::even(Index strips) const {
   return model_->grid(unique(std::move(edges)));
 }
 
-SharedContact StrippedContact::laid(const Pose& pose, double depth, const Stop& stop) const {
-  Levels levels = solve_automatically(*model_, moved(pose), Accuracy{}, &stop);
+SharedContact StrippedContact::lay(const Pose& pose, double depth, const Stop& stop) const {
+  Levels levels = solve_automatically(*model_, displaced_to(pose), Accuracy{}, &stop);
   Level& finest = levels.levels[0];
   if (!finest.state.converged()) throw Unsolved{pose};
-  return answering({std::move(finest), pose, depth, pose, {}});
+  return with_answer({std::move(finest), pose, depth, pose, {}});
 }
 
-SharedContact StrippedContact::solved(std::shared_ptr<const Grid> strips, const Pose& pose, double depth,
-                                      const Stop& stop) const {
+SharedContact StrippedContact::solve(std::shared_ptr<const Grid> strips, const Pose& pose, double depth,
+                                     const Stop& stop) const {
   Attempt attempt;
   attempt.patient = false, attempt.stop = &stop;
-  State state = solve_on(*strips, moved(pose), *kernel_, attempt);
+  State state = solve_on(*strips, displaced_to(pose), *kernel_, attempt);
   if (!state.converged()) return {};
-  return answering({{std::move(strips), std::move(state)}, pose, depth, pose, {}});
+  return with_answer({{std::move(strips), std::move(state)}, pose, depth, pose, {}});
 }
 
-SharedContact StrippedContact::solved(const LaidContact& before, const Pose& pose, const Stop& stop) const {
+SharedContact StrippedContact::solve(const LaidContact& before, const Pose& pose, const Stop& stop) const {
   Attempt attempt;
   attempt.near = &before.level, attempt.patient = false, attempt.stop = &stop;
-  State state = solve_on(*before.level.grid, moved(pose), *kernel_, attempt);
+  State state = solve_on(*before.level.grid, displaced_to(pose), *kernel_, attempt);
   if (!state.converged()) return {};
-  return answering({{before.level.grid, std::move(state)}, before.laid_for, before.depth, pose, {}});
+  return with_answer({{before.level.grid, std::move(state)}, before.laid_for, before.depth, pose, {}});
 }
 
-SharedContact StrippedContact::followed(const LaidContact& before, const Pose& pose) {
+SharedContact StrippedContact::follow(const LaidContact& before, const Pose& pose) {
   const Grid* strips = before.level.grid.get();
   auto loop = loops_.find(strips);
   if (loop == loops_.end()) {
@@ -141,7 +141,7 @@ LaidContact StrippedContact::on_strips_of(const LaidContact& other) const {
 }
 
 /// The same with its results.
-SharedContact StrippedContact::answering(LaidContact contact) const {
+SharedContact StrippedContact::with_answer(LaidContact contact) const {
   const auto& [grid, state] = contact.level;
   Numbers loads, moments;
   for (Index i = 0; i < grid->count(); ++i) {

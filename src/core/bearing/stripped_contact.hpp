@@ -32,7 +32,7 @@ class StrippedContact {
 
   double half_length() const { return 0.5 * (high_ - low_); }
   double compliance() const { return model_->contact().compliance; }
-  const Samples& surveyed() const { return surveyed_; }
+  const Samples& samples() const { return samples_; }
 
   /// Number of loops kept.
   std::size_t loops() const { return loops_.size(); }
@@ -40,26 +40,26 @@ class StrippedContact {
   /// Largest overlap of the undeformed bodies [mm].
   Numbers penetration(std::span<const Pose> poses) const;
   /// About so many strips, nearly equal.
-  std::shared_ptr<const Grid> even(Index strips) const;
+  std::shared_ptr<const Grid> lay_evenly(Index strips) const;
 
   /// A contact solved on strips of the automatic grid; throws Unsolved.
-  SharedContact laid(const Pose& pose, double depth, const Stop& stop) const;
+  SharedContact lay(const Pose& pose, double depth, const Stop& stop) const;
   /// A contact solved anew on given strips; nothing if it has no solution.
-  SharedContact solved(std::shared_ptr<const Grid> strips, const Pose& pose, double depth, const Stop& stop) const;
+  SharedContact solve(std::shared_ptr<const Grid> strips, const Pose& pose, double depth, const Stop& stop) const;
   /// A contact solved at another pose on its strips, from its present state; nothing if it has no solution.
-  SharedContact solved(const LaidContact& before, const Pose& pose, const Stop& stop) const;
+  SharedContact solve(const LaidContact& before, const Pose& pose, const Stop& stop) const;
   /// A contact that follows to another pose on its strips, which is faster; nothing if that fails.
-  SharedContact followed(const LaidContact& before, const Pose& pose);
+  SharedContact follow(const LaidContact& before, const Pose& pose);
   /// A first guess of this contact, with the other ring, from one on strips that suit both.
   LaidContact on_strips_of(const LaidContact& other) const;
 
  private:
-  SharedContact answering(LaidContact contact) const;
+  SharedContact with_answer(LaidContact contact) const;
 
   std::shared_ptr<const Model> model_;
   std::shared_ptr<const Kernel> kernel_;
   double low_, high_;
-  Samples surveyed_;
+  Samples samples_;
   std::map<const Grid*, Following> loops_;  // each keeps its grid alive
 };
 

@@ -146,7 +146,7 @@ HarmonicElements::Factors HarmonicElements::eliminate(int waves, const Matrix& l
       if (waves) front(first_load + e, unknown + W) += loads(e, columns + column);
     }
   };
-  Factors kept;
+  Factors factors;
   Front passed(line() + count);  // Schur complement of all strips at higher y: a line of nodes, and the loads
   for (Index j = along() - 1; j >= 0; --j) {
     const Index gone = inside() + line(), first_load = gone + line();
@@ -158,7 +158,7 @@ HarmonicElements::Factors HarmonicElements::eliminate(int waves, const Matrix& l
       for (Index p = 3 * INNER; p < 3 * SQUARE; ++p)
         for (Index q = 3 * INNER; q <= p; ++q)
           strip(std::max(places[p], places[q]), std::min(places[p], places[q])) += stiff(p, q);
-      if (keep) kept.elements.push_back(std::move(stiff));
+      if (keep) factors.elements.push_back(std::move(stiff));
     }
     for (Index p = 0; p < passed.size(); ++p)
       for (Index q = 0; q <= p; ++q)
@@ -171,12 +171,12 @@ HarmonicElements::Factors HarmonicElements::eliminate(int waves, const Matrix& l
     strip.eliminate(gone);
     for (Index p = 0; p < passed.size(); ++p)
       for (Index q = 0; q <= p; ++q) passed(p, q) = strip(gone + p, gone + q);
-    if (keep) kept.strips.push_back(std::move(strip));
+    if (keep) factors.strips.push_back(std::move(strip));
   }
   add_loads(passed, 3 * surface, 0, line());
   hold_axis(passed, 0, 1, waves);
   for (int odd = 0; odd < (mesh_.symmetric ? 2 : 1); ++odd) {
-    Front& last = kept.last[odd];
+    Front& last = factors.last[odd];
     last.reset(passed.size());
     for (Index p = 0; p < passed.size(); ++p)
       for (Index q = 0; q <= p; ++q) last(p, q) = passed(p, q);
@@ -188,7 +188,7 @@ HarmonicElements::Factors HarmonicElements::eliminate(int waves, const Matrix& l
       }
     last.eliminate(line());
   }
-  return kept;
+  return factors;
 }
 
 Matrix HarmonicElements::work(int waves, const Matrix& loads, const Matrix& readings) const {

@@ -27,10 +27,10 @@ std::shared_ptr<const Region> Model::region(double low, double high) const {
   Numbers bends;
   for (double bend : contact_.bends)
     if (low < bend && bend < high) bends.push_back(bend);
-  Samples even = sampled(low, high);
+  Samples even = sample(low, high);
   const auto is_within = [low, high](double y) { return low < y && y < high; };
   const bool has_crests = std::any_of(contact_.crests.begin(), contact_.crests.end(), is_within);
-  Samples all = has_crests ? surveyed(low, high) : even;
+  Samples all = has_crests ? sample_with_crests(low, high) : even;
   return std::make_shared<const Region>(
       Region{low, high, std::move(even), std::move(all), kinks_among(bends, high - low)});
 }
@@ -47,9 +47,9 @@ Numbers Model::separation(View y) const {
 double Model::separation(double y) const { return separation(View(&y, 1))[0]; }
 
 std::array<Numbers, 2> Model::curvatures(View y) const {
-  std::array found{Numbers(y.size()), Numbers(y.size())};
-  for (int k = 0; k < 2; ++k) fill(contact_.bodies[k].curvature, y, found[k]);
-  return found;
+  std::array values{Numbers(y.size()), Numbers(y.size())};
+  for (int k = 0; k < 2; ++k) fill(contact_.bodies[k].curvature, y, values[k]);
+  return values;
 }
 
 Numbers Model::curvature(View y) const {
@@ -76,30 +76,30 @@ Numbers Model::min_depth(View y) const {
 }
 
 Matrix Model::at_depth(View y, View edges) const {
-  Matrix found;
+  Matrix sum;
   for (const Reference& reference : contact_.references) {
     Matrix of_body = displacement(reference, y, edges);
-    if (found.empty()) {
-      found = std::move(of_body);
+    if (sum.empty()) {
+      sum = std::move(of_body);
     } else {
-      for (std::size_t i = 0; i < found.all().size(); ++i) found.all()[i] += of_body.all()[i];
+      for (std::size_t i = 0; i < sum.all().size(); ++i) sum.all()[i] += of_body.all()[i];
     }
   }
-  return found;
+  return sum;
 }
 
 Matrix Model::by_width(View y) const {
-  Matrix found;
+  Matrix sum;
   for (const Reference& reference : contact_.references) {
     const auto* roller = std::get_if<AxisOfRoller>(&reference);
     if (!roller) continue;
-    if (found.empty()) {
-      found.resize(4, count_of(y));
-      std::fill(found.all().begin(), found.all().end(), 0.0);
+    if (sum.empty()) {
+      sum.resize(4, count_of(y));
+      std::fill(sum.all().begin(), sum.all().end(), 0.0);
     }
-    add_by_width(*roller, y, hertz_ratio(), found);
+    add_by_width(*roller, y, hertz_ratio(), sum);
   }
-  return found;
+  return sum;
 }
 
 std::shared_ptr<const Grid> Model::grid(Numbers edges) const {
@@ -122,24 +122,24 @@ std::shared_ptr<Grid> Model::springs(Numbers edges) const {
   return grid;
 }
 
-Samples Model::sampled(double low, double high) const {
-  Samples found{uniform(low, high, SAMPLES), {}};
-  found.h = separation(found.y);
-  return found;
+Samples Model::sample(double low, double high) const {
+  Samples samples{uniform(low, high, SAMPLES), {}};
+  samples.h = separation(samples.y);
+  return samples;
 }
 
-Samples Model::surveyed(double low, double high) const {
-  Samples found{uniform(low, high, SAMPLES), {}};
+Samples Model::sample_with_crests(double low, double high) const {
+  Samples samples{uniform(low, high, SAMPLES), {}};
   for (double crest : contact_.crests)
-    if (low < crest && crest < high) found.y.push_back(crest);
-  std::sort(found.y.begin(), found.y.end());
-  found.y.erase(std::unique(found.y.begin(), found.y.end()), found.y.end());
-  found.h = separation(found.y);
-  return found;
+    if (low < crest && crest < high) samples.y.push_back(crest);
+  std::sort(samples.y.begin(), samples.y.end());
+  samples.y.erase(std::unique(samples.y.begin(), samples.y.end()), samples.y.end());
+  samples.h = separation(samples.y);
+  return samples;
 }
 
 Kinks Model::kinks_among(View bends, double length) const {
-  Kinks found;
+  Kinks kinks;
   const auto turn = [this](double place, double step) {
     const Numbers h = separation(Numbers{place - step, place, place + step});
     return std::fabs(h[2] - 2.0 * h[1] + h[0]) / step;
@@ -149,10 +149,10 @@ Kinks Model::kinks_among(View bends, double length) const {
   for (double place : bends) {
     const double wide = turn(place, step), narrow = turn(place, 0.1 * step);
     if (!(narrow > 0.5 * wide && narrow > LEAST_KINK)) continue;
-    found.place.push_back(place);
-    found.turn.push_back(narrow);
+    kinks.place.push_back(place);
+    kinks.turn.push_back(narrow);
   }
-  return found;
+  return kinks;
 }
 
 }  // namespace nonhertz

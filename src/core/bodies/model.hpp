@@ -37,8 +37,8 @@ struct Kinks {
 /// A finite part of the axis, with data of the bodies along it.
 struct Region {
   double low, high;
-  Samples sampled;   ///< the separation at equidistant places
-  Samples surveyed;  ///< the same with the crests between them
+  Samples samples;              ///< the separation at equidistant places
+  Samples samples_with_crests;  ///< the same with the crests between them
   Kinks kinks;
 };
 
@@ -84,8 +84,8 @@ class Model {
   const std::shared_ptr<const Region>& region() const { return region_; }
   std::shared_ptr<const Region> region(double low, double high) const;
   /// The separation at equidistant places between two; and with the crests between them.
-  Samples sampled(double low, double high) const;
-  Samples surveyed(double low, double high) const;
+  Samples sample(double low, double high) const;
+  Samples sample_with_crests(double low, double high) const;
   /// The bends between two places at which the slope jumps, tested with steps of a fraction of their distance.
   Kinks kinks_among(View bends, double length) const;
 

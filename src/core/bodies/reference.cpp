@@ -143,8 +143,9 @@ Matrix AxisOfCylinder::displacement(View y, View edges) const {
   const double in_reach = smooth->at(farthest) - std::asinh(farthest);
   const auto until = [&](double s) {  // by a uniform load from 0 up to a distance
     const double size = std::fabs(s);
-    const double found = size < farthest ? smooth->at(size) - std::asinh(size) : in_reach - std::log(size / farthest);
-    return s < 0.0 ? -found : found;
+    const double integral =
+        size < farthest ? smooth->at(size) - std::asinh(size) : in_reach - std::log(size / farthest);
+    return s < 0.0 ? -integral : integral;
   };
   Numbers diameter(y.size());
   fill(depth, y, diameter);
@@ -165,9 +166,9 @@ Matrix AxisOfCylinder::displacement(View y, View edges) const {
 
 Matrix AxisOfRoller::displacement(View y, View edges) const {
   const auto in_radii = [this](View places) {
-    Numbers found(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) found[i] = (places[i] - middle) / radius;
-    return found;
+    Numbers scaled(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) scaled[i] = (places[i] - middle) / radius;
+    return scaled;
   };
   Matrix out = whole->displacement(in_radii(y), in_radii(edges));
   for (double& value : out.all()) value = -share * value;

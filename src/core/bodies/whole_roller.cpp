@@ -19,9 +19,9 @@ double curved_within(double distance, const Matrix& table, double logarithm) {
   const double x = s / step - static_cast<double>(at);
   const double start = table(at, kind), change = table(at + 1, kind) - start;
   const double first = step * table(at, kind + 1) - change, second = step * table(at + 1, kind + 1) - change;
-  double found = start + x * (change + (1.0 - x) * ((1.0 - x) * first - x * second));
-  if (0.0 < s && s < NEAR) found += logarithm * s * std::log(s);
-  return std::copysign(found, distance);
+  double integral = start + x * (change + (1.0 - x) * ((1.0 - x) * first - x * second));
+  if (0.0 < s && s < NEAR) integral += logarithm * s * std::log(s);
+  return std::copysign(integral, distance);
 }
 
 /// The curved part at y of loads up to an edge, and of their images, up to a constant.
@@ -33,7 +33,7 @@ double curved_until(double edge, double y, double radius, const WholeRoller& of)
 
 /// Projections of unit loads from the middle up to each edge (columns) on normalised polynomials (rows).
 Matrix polynomials_of(View edges, double half_length, Index count) {
-  Matrix found(count, count_of(edges));
+  Matrix projections(count, count_of(edges));
   Numbers values(count + 1);
   for (Index e = 0; e < count_of(edges); ++e) {
     legendre(std::clamp(edges[e] / half_length, -1.0, 1.0), values);
@@ -41,10 +41,10 @@ Matrix polynomials_of(View edges, double half_length, Index count) {
     for (Index j = 0; j < count; ++j) {
       const double order = static_cast<double>(j);
       const double integral = j == 0 ? values[1] : (values[j + 1] - values[j - 1]) / (2.0 * order + 1.0);
-      found(j, e) = integral * std::sqrt((order + 0.5) * half_length);
+      projections(j, e) = integral * std::sqrt((order + 0.5) * half_length);
     }
   }
-  return found;
+  return projections;
 }
 
 /// Fill in the smooth part.

@@ -23,17 +23,17 @@ double end_of(const Grid& grid, View m, Index at, Index other, int side) {
 }  // namespace
 
 std::vector<Pair> intervals(const Grid& grid, View m) {
-  std::vector<Pair> found;
+  std::vector<Pair> result;
   const Index n = count_of(m);
   Index first = -1;
   for (Index i = 0; i < n; ++i) {
     if (m[i] > 0.0 && first < 0) first = i;
     if (m[i] > 0.0 && (i + 1 == n || !(m[i + 1] > 0.0))) {
-      found.push_back({end_of(grid, m, first, i, -1), end_of(grid, m, i, first, 1)});
+      result.push_back({end_of(grid, m, first, i, -1), end_of(grid, m, i, first, 1)});
       first = -1;
     }
   }
-  return found;
+  return result;
 }
 
 bool reaches(const Grid& grid, View m, int side) {
@@ -45,7 +45,7 @@ bool reaches(const Grid& grid, View m, int side) {
   return m[at] - 0.5 * (m[next_in] - m[at]) / distance * grid.width(at) > 0.0;
 }
 
-bool nearly_touching(const Grid& grid, View m, double place) {
+bool is_nearly_touching(const Grid& grid, View m, double place) {
   const Index n = count_of(m);
   for (Index i = 0; i < n; ++i)
     if (m[i] > 0.0 && grid.edges[std::max(i - 1, Index{0})] <= place && place <= grid.edges[std::min(i + 2, n)])

@@ -15,20 +15,21 @@ constexpr int CLOSER_LOOKS = 4;
 constexpr Index CLOSER = 100;  // intervals around the best place
 
 /// Why a prescription cannot be met on strips whose separation is finite somewhere, without the numbers.
-std::optional<Refusal> stands_against(const Model& model, const Grid& grid, const Prescription& given, Pair& usable) {
+std::optional<Refusal> stands_against(const Model& model, const Grid& grid, const Prescription& prescribed,
+                                      Pair& usable) {
   const auto is_finite = [](double h) { return std::isfinite(h); };
   const Numbers& h = grid.separation;
-  if (given.both()) {
+  if (prescribed.both()) {
     usable = {grid.y[std::find_if(h.begin(), h.end(), is_finite) - h.begin()],
               grid.y[h.rend() - std::find_if(h.rbegin(), h.rend(), is_finite) - 1]};
-    const bool inside = usable[0] <= arm_of(given) && arm_of(given) <= usable[1];
+    const bool inside = usable[0] <= arm_of(prescribed) && arm_of(prescribed) <= usable[1];
     return inside ? std::nullopt : std::optional(Refusal::arm_off_strips);
   }
-  if (given.by_force[1])
-    return is_touching(springs(model, given, grid.edges)) ? std::nullopt : std::optional(Refusal::tilted_apart);
-  if (given.by_force[0]) return std::nullopt;
+  if (prescribed.by_force[1])
+    return is_touching(springs(model, prescribed, grid.edges)) ? std::nullopt : std::optional(Refusal::tilted_apart);
+  if (prescribed.by_force[0]) return std::nullopt;
   for (Index i = 0; i < grid.count(); ++i)
-    if (given.target[0] + given.target[1] * grid.y[i] - h[i] > 0.0) return std::nullopt;
+    if (prescribed.target[0] + prescribed.target[1] * grid.y[i] - h[i] > 0.0) return std::nullopt;
   return Refusal::apart;
 }
 
@@ -52,36 +53,36 @@ Numbers along(View edges) {
   const double last = static_cast<double>(edges.size() - 1);
   Numbers y;
   for (double at : uniform(0.0, last, LOOKS - 1)) {
-    const auto left = static_cast<std::size_t>(std::min(at, last - 1.0));
-    y.push_back(edges[left] + (at - static_cast<double>(left)) * (edges[left + 1] - edges[left]));
+    const auto below = static_cast<std::size_t>(std::min(at, last - 1.0));
+    y.push_back(edges[below] + (at - static_cast<double>(below)) * (edges[below + 1] - edges[below]));
   }
   return y;
 }
 
 }  // namespace
 
-bool is_feasible(const Model& model, const Grid& grid, const Prescription& given) {
+bool is_feasible(const Model& model, const Grid& grid, const Prescription& prescribed) {
   const Numbers& h = grid.separation;
   Pair usable{};
-  return std::none_of(h.begin(), h.end(), [](double each) { return std::isnan(each); }) &&
-         std::any_of(h.begin(), h.end(), [](double each) { return std::isfinite(each); }) &&
-         !stands_against(model, grid, given, usable);
+  return std::none_of(h.begin(), h.end(), [](double separation) { return std::isnan(separation); }) &&
+         std::any_of(h.begin(), h.end(), [](double separation) { return std::isfinite(separation); }) &&
+         !stands_against(model, grid, prescribed, usable);
 }
 
-void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given, bool chosen) {
+void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& prescribed, bool chosen) {
   refuse_endless_relief(grid.y, grid.separation);
   Pair usable{};
-  const auto refusal = stands_against(model, grid, given, usable);
+  const auto refusal = stands_against(model, grid, prescribed, usable);
   if (!refusal) return;
-  if (*refusal == Refusal::apart) refuse_no_contact(model, grid.edges, given, chosen);
-  if (*refusal == Refusal::tilted_apart) throw Refused(*refusal, given.target[0]);
-  if (!chosen) refuse_arm_outside(given, usable[0], usable[1]);
-  throw Refused(*refusal, arm_of(given), usable[0], usable[1], grid.count());
+  if (*refusal == Refusal::apart) refuse_no_contact(model, grid.edges, prescribed, chosen);
+  if (*refusal == Refusal::tilted_apart) throw Refused(*refusal, prescribed.target[0]);
+  if (!chosen) refuse_arm_outside(prescribed, usable[0], usable[1]);
+  throw Refused(*refusal, arm_of(prescribed), usable[0], usable[1], grid.count());
 }
 
-void refuse_arm_outside(const Prescription& given, double low, double high) {
-  if (given.both() && !(low <= arm_of(given) && arm_of(given) <= high))
-    throw Refused(Refusal::arm_outside, arm_of(given), low, high);
+void refuse_arm_outside(const Prescription& prescribed, double low, double high) {
+  if (prescribed.both() && !(low <= arm_of(prescribed) && arm_of(prescribed) <= high))
+    throw Refused(Refusal::arm_outside, arm_of(prescribed), low, high);
 }
 
 void refuse_endless_relief(View y, View separation) {
@@ -92,18 +93,18 @@ void refuse_endless_relief(View y, View separation) {
     throw Refused(Refusal::endless_relief);
 }
 
-void refuse_no_contact(const Model& model, View edges, const Prescription& given, bool chosen) {
+void refuse_no_contact(const Model& model, View edges, const Prescription& prescribed, bool chosen) {
   const double low = edges.front(), high = edges.back();
-  const Level fine = springs(model, given, uniform(low, high, FINE_STRIPS));
+  const Level fine = springs(model, prescribed, uniform(low, high, FINE_STRIPS));
   if (chosen && is_touching(fine)) throw Refused(Refusal::between_strips, 0.0, low, high, count_of(edges) - 1);
-  const double tilt = given.by_force[1] ? 0.0 : given.target[1];
+  const double tilt = prescribed.by_force[1] ? 0.0 : prescribed.target[1];
   // Graded strips may be finer than the equal spring strips, so their edges are searched as well.
   Numbers y = along(edges);
   y.insert(y.end(), fine.grid->y.begin(), fine.grid->y.end());
   y.insert(y.end(), edges.begin(), edges.end());
   std::sort(y.begin(), y.end());
   y.erase(std::unique(y.begin(), y.end()), y.end());
-  const double needed = first_touch(model, tilt, std::move(y)), approach = given.target[0];
+  const double needed = first_touch(model, tilt, std::move(y)), approach = prescribed.target[0];
   if (approach > needed) throw Refused(Refusal::unresolved, approach);
   throw chosen ? Refused(Refusal::apart, needed, low, high, count_of(edges) - 1) : Refused(Refusal::apart, needed);
 }

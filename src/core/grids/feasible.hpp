@@ -31,21 +31,21 @@ struct Refused : std::exception {
 };
 
 /// Lever arm of the moment: moment / load [mm].
-inline double arm_of(const Prescription& given) { return given.target[1] / given.target[0]; }
+inline double arm_of(const Prescription& prescribed) { return prescribed.target[1] / prescribed.target[0]; }
 
 /// Whether any loads on the strips of a grid can meet the prescribed values.
-bool is_feasible(const Model& model, const Grid& grid, const Prescription& given);
+bool is_feasible(const Model& model, const Grid& grid, const Prescription& prescribed);
 
 /// Refuse prescribed values that no loads on these strips can meet; `chosen` if the user gave the strips.
-void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& given, bool chosen = true);
+void refuse_infeasible(const Model& model, const Grid& grid, const Prescription& prescribed, bool chosen = true);
 
 /// Refuse a load and moment whose resultant lies outside the interval where pressure is possible.
-void refuse_arm_outside(const Prescription& given, double low, double high);
+void refuse_arm_outside(const Prescription& prescribed, double low, double high);
 
 /// Refuse bodies whose relief is NaN somewhere, or infinite everywhere.
 void refuse_endless_relief(View y, View separation);
 
 /// Return why no strip touches at the prescribed approach: too few strips, or bodies too far apart.
-[[noreturn]] void refuse_no_contact(const Model& model, View edges, const Prescription& given, bool chosen);
+[[noreturn]] void refuse_no_contact(const Model& model, View edges, const Prescription& prescribed, bool chosen);
 
 }  // namespace nonhertz

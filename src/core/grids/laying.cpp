@@ -32,11 +32,11 @@ Path walk(const Sizes& sizes, double start, double stop, double by) {
     double step = sizes(here, by);
     if (used > MOST_STEPS / 2)  // more strips than any grid has: cover the rest in equal steps
       step = std::max(step, STEPS_PER_STRIP * std::fabs(stop - here) / static_cast<double>(MOST_STEPS - used));
-    double there = here + outward * step / STEPS_PER_STRIP;
-    const bool last = outward * (there - stop) >= 0.0 || used == MOST_STEPS - 1;
-    if (last) there = stop;
-    path.place.push_back(there);
-    path.count.push_back(path.count.back() + std::fabs(there - here) / sizes(0.5 * (here + there), by));
+    double next = here + outward * step / STEPS_PER_STRIP;
+    const bool last = outward * (next - stop) >= 0.0 || used == MOST_STEPS - 1;
+    if (last) next = stop;
+    path.place.push_back(next);
+    path.count.push_back(path.count.back() + std::fabs(next - here) / sizes(0.5 * (here + next), by));
     if (last) break;
   }
   return path;

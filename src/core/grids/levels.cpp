@@ -17,15 +17,16 @@ void drop_unsolved(std::vector<Level>& levels) {
 
 }  // namespace
 
-Levels solve_automatically(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop) {
-  std::vector<Level> levels = Search(model, given, accuracy, stop).run();
+Levels solve_automatically(const Model& model, const Prescription& prescribed, const Accuracy& accuracy,
+                           const Stop* stop) {
+  std::vector<Level> levels = Search(model, prescribed, accuracy, stop).run();
   const bool is_regular = levels[1].state.converged();
   drop_unsolved(levels);
   return {std::move(levels), is_regular ? accuracy.of_motion : 0.0};
 }
 
-Grids equal_grids(const Model& model, const Prescription& given, Index count) {
-  const auto [low, high] = bounded(model, given);
+Grids equal_grids(const Model& model, const Prescription& prescribed, Index count) {
+  const auto [low, high] = bound_contact(model, prescribed);
   Grids grids;
   for (Index level = count;; level /= 2) {
     grids.push_back(model.grid(uniform(low, high, level)));
@@ -46,16 +47,16 @@ Grids given_grids(const Model& model, Numbers edges) {
   return grids;
 }
 
-Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& given, const Stop* stop) {
+Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& prescribed, const Stop* stop) {
   Levels solved;
   for (auto track = tracks.rbegin(); track != tracks.rend(); ++track) {
     const bool is_last = &*track == &tracks.front();
     Attempt attempt;
-    attempt.before = track->solutions.next(given, *track->grid);
+    attempt.before = track->solutions.next(prescribed, *track->grid);
     attempt.near = solved.levels.empty() ? nullptr : &solved.levels[0];
     attempt.tolerance = is_last ? TOLERANCE : ROUGH_TOLERANCE, attempt.patient = is_last, attempt.stop = stop;
-    State state = solve_on(track->loop, given, attempt);
-    track->solutions.add(given, state);
+    State state = solve_on(track->loop, prescribed, attempt);
+    track->solutions.add(prescribed, state);
     solved.levels.insert(solved.levels.begin(), {track->grid, std::move(state)});
   }
   drop_unsolved(solved.levels);

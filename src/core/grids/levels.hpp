@@ -32,13 +32,13 @@ struct Levels {
 };
 
 /// Solve one case on a graded grid adapted to the contact; throws Refused, or Stopped.
-Levels solve_automatically(const Model& model, const Prescription& given, const Accuracy& accuracy,
+Levels solve_automatically(const Model& model, const Prescription& prescribed, const Accuracy& accuracy,
                            const Stop* stop = nullptr);
 
 using Grids = std::vector<std::shared_ptr<const Grid>>;
 
 /// A number of equal strips where the bodies can touch, and half as many down to a few; finest first.
-Grids equal_grids(const Model& model, const Prescription& given, Index count);
+Grids equal_grids(const Model& model, const Prescription& prescribed, Index count);
 /// Strips between given edges, and coarser ones that leave out every other edge.
 Grids given_grids(const Model& model, Numbers edges);
 
@@ -53,6 +53,6 @@ struct Track {
 };
 
 /// Solve one case on given grids, finest first, on which others may have been solved before.
-Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& given, const Stop* stop = nullptr);
+Levels solve_on_grids(std::deque<Track>& tracks, const Prescription& prescribed, const Stop* stop = nullptr);
 
 }  // namespace nonhertz

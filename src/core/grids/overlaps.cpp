@@ -16,18 +16,18 @@ constexpr double NOTICED = 1e-9;  // of the deepest interference; a smaller over
 constexpr double STRIPS_PER_OVERLAP = 5.0;
 
 bool apart_from(const std::vector<Pair>& contact, double y) {
-  return std::all_of(contact.begin(), contact.end(), [y](const Pair& each) {
-    const double margin = BESIDE * (each[1] - each[0]);
-    return y < each[0] - margin || y > each[1] + margin;
+  return std::all_of(contact.begin(), contact.end(), [y](const Pair& interval) {
+    const double margin = BESIDE * (interval[1] - interval[0]);
+    return y < interval[0] - margin || y > interval[1] + margin;
   });
 }
 
 /// Extent of an overlap beyond its last place: up to twice that of a straight line to the next.
-double reach_of(const Samples& found, Index at, Index side) {
+double reach_of(const Samples& samples, Index at, Index side) {
   const Index beside = at + side;
-  if (!(0 <= beside && beside < count_of(found.y))) return 0.0;
-  const double distance = std::fabs(found.y[beside] - found.y[at]), next = found.h[beside];
-  const double share = -INFINITE < next && next < 0.0 ? found.h[at] / (found.h[at] - next) : 1.0;
+  if (!(0 <= beside && beside < count_of(samples.y))) return 0.0;
+  const double distance = std::fabs(samples.y[beside] - samples.y[at]), next = samples.h[beside];
+  const double share = -INFINITE < next && next < 0.0 ? samples.h[at] / (samples.h[at] - next) : 1.0;
   return distance * std::min(2.0 * share, 0.5);
 }
 
@@ -51,16 +51,16 @@ Samples with(const Samples& samples, const Numbers& places, const Numbers& h) {
 }  // namespace
 
 Numbers summits_of(View y, View depth) {
-  Numbers found;
+  Numbers summits;
   for (Index i = 1; i + 1 < count_of(y); ++i) {
     const double left = depth[i - 1], here = depth[i], right = depth[i + 1];
     if (!(here >= left && here > right && std::isfinite(left) && std::isfinite(right))) continue;
     const double before = (here - left) / (y[i] - y[i - 1]), after = (right - here) / (y[i + 1] - y[i]);
     const double bend = (after - before) / (y[i + 1] - y[i - 1]);
     const double place = 0.5 * (y[i - 1] + y[i]) - 0.5 * before / bend, off = place - y[i];
-    if (here - bend * off * off > 0.0 && place > y[i - 1] && place < y[i + 1]) found.push_back(place);
+    if (here - bend * off * off > 0.0 && place > y[i - 1] && place < y[i + 1]) summits.push_back(place);
   }
-  return found;
+  return summits;
 }
 
 bool suspect(const Level& level, const Samples& along) {
@@ -81,7 +81,7 @@ bool suspect(const Level& level, const Samples& along) {
   return false;
 }
 
-Samples overlapping(const Model& model, const Level& level, const Samples& along) {
+Samples sample_overlap(const Model& model, const Level& level, const Samples& along) {
   const State& state = level.state;
   const auto contact = intervals(*level.grid, state.m);
   if (contact.size() == 1) {
@@ -94,7 +94,7 @@ Samples overlapping(const Model& model, const Level& level, const Samples& along
   // A bump may touch between two places where the surfaces are apart.
   const Numbers summits = summits_of(along.y, depth);
   const Samples all = summits.empty() ? along : with(along, summits, model.separation(summits));
-  Samples found{all.y, Numbers(all.y.size())};
+  Samples overlap{all.y, Numbers(all.y.size())};
   double deepest = -INFINITE;
   Numbers places;
   std::vector<std::size_t> suspects;
@@ -102,38 +102,39 @@ Samples overlapping(const Model& model, const Level& level, const Samples& along
     const double here = depth_at(all.y[i], all.h[i]);
     deepest = std::max(deepest, here);
     if (!apart_from(contact, all.y[i])) continue;
-    found.h[i] = here;
+    overlap.h[i] = here;
     if (here > 0.0) suspects.push_back(i), places.push_back(all.y[i]);
   }
   if (!suspects.empty()) {
-    const Numbers lift = on_the_surface(places, *level.grid, state, model.kernel());
+    const Numbers lift = surface_displacement(places, *level.grid, state, model.kernel());
     const Matrix at_depth = model.at_depth(places, level.grid->edges);
     for (std::size_t k = 0; k < suspects.size(); ++k) {
       double moved = 0.0;
       for (Index j = 0; j < at_depth.columns(); ++j)
         moved += at_depth(static_cast<Index>(k), j) * (state.r[j] * state.m[j]);
-      found.h[suspects[k]] -= lift[k] - moved;
+      overlap.h[suspects[k]] -= lift[k] - moved;
     }
   }
-  for (double& each : found.h)
-    if (each > 0.0 && each < NOTICED * deepest) each = 0.0;
-  return found;
+  for (double& h : overlap.h)
+    if (h > 0.0 && h < NOTICED * deepest) h = 0.0;
+  return overlap;
 }
 
 std::vector<Extra> overlaps(const Model& model, const Region& region, const Level& level) {
-  const Samples found = overlapping(model, level, region.surveyed);
+  const Samples overlap = sample_overlap(model, level, region.samples_with_crests);
   const double step = (region.high - region.low) / SAMPLES;
   std::vector<Extra> extras;
-  const Index n = count_of(found.y);
+  const Index n = count_of(overlap.y);
   for (Index i = 0; i < n; ++i) {
-    if (!(found.h[i] > 0.0)) continue;
+    if (!(overlap.h[i] > 0.0)) continue;
     Index j = i;
-    while (j + 1 < n && found.h[j + 1] > 0.0) ++j;
+    while (j + 1 < n && overlap.h[j + 1] > 0.0) ++j;
     // Limited by the neighbouring places without overlap: crests may be much closer together than the samples, and much
     // narrower.
-    const double length = found.y[j] - found.y[i];
-    const double reach = reach_of(found, i, -1) + length + reach_of(found, j, 1);
-    extras.push_back({0.5 * (found.y[i] + found.y[j]), std::max(length, std::min(step, reach)) / STRIPS_PER_OVERLAP});
+    const double length = overlap.y[j] - overlap.y[i];
+    const double reach = reach_of(overlap, i, -1) + length + reach_of(overlap, j, 1);
+    extras.push_back(
+        {0.5 * (overlap.y[i] + overlap.y[j]), std::max(length, std::min(step, reach)) / STRIPS_PER_OVERLAP});
     i = j;
   }
   return extras;

@@ -14,7 +14,7 @@ bool suspect(const Level& level, const Samples& along);
 /// Places [mm], ascending, and the overlap of the surfaces there where no strip is in contact [mm].
 ///
 /// Zero in contact and beside it, negative where the undeformed surfaces are apart; empty if all is in contact.
-Samples overlapping(const Model& model, const Level& level, const Samples& along);
+Samples sample_overlap(const Model& model, const Level& level, const Samples& along);
 
 /// The vertices of parabolas through three neighbouring places each, where they are deeper than zero.
 Numbers summits_of(View y, View depth);

@@ -6,9 +6,9 @@
 namespace nonhertz {
 
 /// The interval that contains the contact; finite even where the bodies are unbounded.
-Pair bounded(const Model& model, const Prescription& given);
+Pair bound_contact(const Model& model, const Prescription& prescribed);
 
 /// The same with the data along it.
-std::shared_ptr<const Region> region_of(const Model& model, const Prescription& given);
+std::shared_ptr<const Region> region_of(const Model& model, const Prescription& prescribed);
 
 }  // namespace nonhertz

@@ -41,8 +41,8 @@ double load_of(const Level& level) {
 
 }  // namespace
 
-Search::Search(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop)
-    : model_(model), given_(given), accuracy_(accuracy), stop_(stop), region_(region_of(model, given)) {
+Search::Search(const Model& model, const Prescription& prescribed, const Accuracy& accuracy, const Stop* stop)
+    : model_(model), prescribed_(prescribed), accuracy_(accuracy), stop_(stop), region_(region_of(model, prescribed)) {
   const double order = accuracy.of_motion > ACCURACY ? ORDER_COARSER : ORDER;
   coarseness_ = COARSENESS * std::pow(accuracy.of_motion / ACCURACY, 1.0 / order);
   sagitta_ = std::min(POINTED * accuracy.of_motion, accuracy.of_pressure / PER_SAGITTA);
@@ -69,12 +69,12 @@ std::vector<Level> Search::run() {
 
 /// Solve on equal strips of a region that the contact fills well, from the whole interval inwards.
 Level Search::locate() const {
-  Level level =
-      solved(model_.grid(first_strips(model_, given_, region_->low, region_->high)), nullptr, ROUGH_TOLERANCE, true);
+  Level level = solve_level(model_.grid(first_strips(model_, prescribed_, region_->low, region_->high)), nullptr,
+                            ROUGH_TOLERANCE, true);
   for (int k = 0; k < NARROWINGS && level.state.converged(); ++k) {
     const auto part = narrower(level);
     if (!part) break;
-    level = solved(model_.grid(uniform((*part)[0], (*part)[1], COARSE_STRIPS)), nullptr, ROUGH_TOLERANCE, true);
+    level = solve_level(model_.grid(uniform((*part)[0], (*part)[1], COARSE_STRIPS)), nullptr, ROUGH_TOLERANCE, true);
   }
   return level;
 }
@@ -118,7 +118,7 @@ Level Search::finer(const Plan& plan, const Level& near, double share) const {
   const double tolerance = share == 1.0 ? TOLERANCE : ROUGH_TOLERANCE;
   for (double fewer : FEWER_STRIPS) {
     const bool is_last = fewer == FEWER_STRIPS[4];
-    Level level = solved(model_.grid(plan.lay(fewer * share)), &near, tolerance, is_last);
+    Level level = solve_level(model_.grid(plan.lay(fewer * share)), &near, tolerance, is_last);
     if (is_last || (level.state.converged() && steady(*level.grid, level.state))) return level;
   }
   return near;
@@ -128,15 +128,15 @@ Level Search::finer(const Plan& plan, const Level& near, double share) const {
 std::vector<Extra> Search::extras(const Level& level) const {
   std::vector<Extra> places;
   for (const Peak& peak : peaks_of(level, region_->kinks.place, sagitta_)) places.push_back({peak.place, peak.wanted});
-  if (suspect(level, region_->surveyed))
+  if (suspect(level, region_->samples_with_crests))
     for (const Extra& overlap : overlaps(model_, *region_, level)) places.push_back(overlap);
   return places;
 }
 
-Level Search::solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const {
+Level Search::solve_level(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const {
   Attempt attempt;
   attempt.near = near, attempt.tolerance = tolerance, attempt.patient = patient, attempt.stop = stop_;
-  State state = solve_on(*grid, given_, model_.kernel(), attempt);
+  State state = solve_on(*grid, prescribed_, model_.kernel(), attempt);
   return {std::move(grid), std::move(state)};
 }
 
@@ -152,11 +152,11 @@ double Search::finer_wanted(const Level& finest, const Level& half) const {
 /// The larger of the estimated errors over the accuracy, of approach or load and of the largest pressure; NaN if either
 /// is.
 double Search::error_over_accuracy(const Level& finest, const Level& half) const {
-  const Samples& along = region_->sampled;
+  const Samples& along = region_->samples;
   double pressed = -INFINITE;
   for (Index i = 0; i < count_of(along.y); ++i)
     pressed = worse(pressed, finest.state.rigid[0] + finest.state.rigid[1] * along.y[i] - along.h[i]);
-  const bool by_load = given_.by_force[0];
+  const bool by_load = prescribed_.by_force[0];
   const double fine = by_load ? finest.state.rigid[0] : load_of(finest);
   const double coarse = by_load ? half.state.rigid[0] : load_of(half);
   const double error = LEFT_OF_CHANGE * std::fabs(fine - coarse) / (by_load ? std::fabs(pressed) : fine);
@@ -172,7 +172,7 @@ bool Search::is_incomplete(const Level& level) const {
   const View m = level.state.m;
   if (reaches(grid, m, -1) && grid.edges.front() > model_.low()) return true;
   if (reaches(grid, m, 1) && grid.edges.back() < model_.high()) return true;
-  return suspect(level, region_->surveyed) && !overlaps(model_, *region_, level).empty();
+  return suspect(level, region_->samples_with_crests) && !overlaps(model_, *region_, level).empty();
 }
 
 /// Whether the largest pressure is far too pointed for its strips.

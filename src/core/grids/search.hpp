@@ -9,7 +9,7 @@ namespace nonhertz {
 /// Solves one case on a sequence of better grids.
 class Search {
  public:
-  Search(const Model& model, const Prescription& given, const Accuracy& accuracy, const Stop* stop);
+  Search(const Model& model, const Prescription& prescribed, const Accuracy& accuracy, const Stop* stop);
 
   /// Return the levels, finest first, those without a solution among them.
   std::vector<Level> run();
@@ -21,14 +21,14 @@ class Search {
   Plan plan(const Level& from) const;
   Level finer(const Plan& plan, const Level& near, double share) const;
   std::vector<Extra> extras(const Level& level) const;
-  Level solved(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const;
+  Level solve_level(std::shared_ptr<const Grid> grid, const Level* near, double tolerance, bool patient) const;
   double finer_wanted(const Level& finest, const Level& half) const;
   double error_over_accuracy(const Level& finest, const Level& half) const;
   bool is_incomplete(const Level& level) const;
   bool is_pointed(const Level& level) const;
 
   const Model& model_;
-  const Prescription& given_;
+  const Prescription& prescribed_;
   Accuracy accuracy_;
   const Stop* stop_;
   std::shared_ptr<const Region> region_;

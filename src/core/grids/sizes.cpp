@@ -23,7 +23,7 @@ constexpr double NARROWEST_EVER = 1e-9, ROUNDINGS = 1e4;
 constexpr double EXTENSION = 0.3;  // of the contact's length, added where the contact extends beyond the strips
 
 /// The narrowest strip width that floating-point numbers between low and high resolve.
-double resolved(double low, double high) {
+double narrowest_width(double low, double high) {
   return std::max(NARROWEST_EVER * (high - low), ROUNDINGS * 2.3e-16 * std::max(std::fabs(low), std::fabs(high)));
 }
 
@@ -37,8 +37,8 @@ Sizes::Sizes(const Level& from, const Model& model, const Region& region, const 
       length_(contact_.back()[1] - contact_.front()[0]) {
   const State& state = from.state;
   const bool whole = low_ == region.low && high_ == region.high;
-  const Samples of_part = whole ? Samples{} : model.sampled(low_, high_);
-  const Samples& samples = whole ? region.sampled : of_part;
+  const Samples of_part = whole ? Samples{} : model.sample(low_, high_);
+  const Samples& samples = whole ? region.samples : of_part;
   const double first = low_, step = (high_ - low_) / SAMPLES;
   add_ends(from, region, coarseness);
   double deepest = -INFINITE;
@@ -47,11 +47,11 @@ Sizes::Sizes(const Level& from, const Model& model, const Region& region, const 
         std::max(deepest, state.rigid[0] + state.rigid[1] * (first + static_cast<double>(i) * step) - samples.h[i]);
   add_kinks(from, region.kinks, coarseness * deepest);
   add_extras(region, extras);
-  const double finest = resolved(low_, high_);
-  for (Feature& each : features_) each.width = std::max(std::min(each.width, length_ / 8.0), finest);
+  const double finest = narrowest_width(low_, high_);
+  for (Feature& feature : features_) feature.width = std::max(std::min(feature.width, length_ / 8.0), finest);
   const double widest = *std::max_element(state.m.begin(), state.m.end());
-  const double narrowest =
-      std::max(NARROWEST * std::sqrt(widest), resolved(first, first + step * static_cast<double>(samples.h.size())));
+  const double narrowest = std::max(NARROWEST * std::sqrt(widest),
+                                    narrowest_width(first, first + step * static_cast<double>(samples.h.size())));
   sample_low_ = first + step, sample_step_ = step;
   bound_by_sag(samples, state, deepest, coarseness, narrowest);
   largest_ = coarseness * length_ / STRIPS_PER_CONTACT;
@@ -86,11 +86,11 @@ void Sizes::add_kinks(const Level& from, const Kinks& kinks, double depth) {
   const Grid& grid = *from.grid;
   const View m = from.state.m;
   int beside = 0;
-  for (double place : kinks.place) beside += nearly_touching(grid, m, place);
+  for (double place : kinks.place) beside += is_nearly_touching(grid, m, place);
   if (beside > MOST_BENDS) return;
   for (std::size_t k = 0; k < kinks.place.size(); ++k) {
     const double place = kinks.place[k];
-    if (!(grid.edges.front() < place && place < grid.edges.back() && nearly_touching(grid, m, place))) continue;
+    if (!(grid.edges.front() < place && place < grid.edges.back() && is_nearly_touching(grid, m, place))) continue;
     const double width = std::max(KINK_SHARE * depth / kinks.turn[k], NARROWEST * width_near(grid, m, place));
     features_.push_back({place, width, 0.0, true});
   }
@@ -131,9 +131,9 @@ double Sizes::operator()(double y, double by) const {
   for (const auto& [low, high] : contact_) inside = inside || (low <= y && y <= high);
   const double growth = std::min(growth_ * std::sqrt(by), 1.0), rate = inside ? growth : GROWTH_OUTSIDE;
   double width = by * (inside ? largest_ : largest_outside_);
-  for (const Feature& each : features_) {
-    const double away = std::fabs(y - each.place), near = std::min(away, each.slow);
-    width = std::min(width, each.width + std::min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near));
+  for (const Feature& feature : features_) {
+    const double away = std::fabs(y - feature.place), near = std::min(away, feature.slow);
+    width = std::min(width, feature.width + std::min(GROWTH_AT_SHARP_ENDS, rate) * near + rate * (away - near));
   }
   if (!inside) return width;
   // The narrower of the two samples around y, so that a symmetric profile has a symmetric grid. But a kink appears at
@@ -158,11 +158,11 @@ double Sizes::centre() const {
 }
 
 Numbers Sizes::marks() const {
-  Numbers found;
-  for (const Feature& each : features_)
-    if (each.marked) found.push_back(each.place);
-  std::sort(found.begin(), found.end());
-  return found;
+  Numbers places;
+  for (const Feature& feature : features_)
+    if (feature.marked) places.push_back(feature.place);
+  std::sort(places.begin(), places.end());
+  return places;
 }
 
 }  // namespace nonhertz

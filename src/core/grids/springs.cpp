@@ -6,30 +6,30 @@
 
 namespace nonhertz {
 
-Level springs(const Model& model, const Prescription& given, Numbers edges) {
+Level springs(const Model& model, const Prescription& prescribed, Numbers edges) {
   Level level{model.springs(std::move(edges)), State(0)};
   level.state = State(level.grid->count());
-  start_from_springs(*level.grid, given, model.kernel(), level.state);
+  start_from_springs(*level.grid, prescribed, model.kernel(), level.state);
   return level;
 }
 
-bool is_touching(const Level& level) { return touching(level).has_value(); }
+bool is_touching(const Level& level) { return spring_contact(level).has_value(); }
 
-std::optional<Pair> touching(const Level& level) {
+std::optional<Pair> spring_contact(const Level& level) {
   const Numbers& m = level.state.m;
-  const auto bears = [](double each) { return each > 0.0; };
+  const auto bears = [](double m) { return m > 0.0; };
   const auto first = std::find_if(m.begin(), m.end(), bears);
   if (first == m.end()) return std::nullopt;
   const Index last = m.rend() - std::find_if(m.rbegin(), m.rend(), bears) - 1;
   return Pair{level.grid->low(first - m.begin()), level.grid->high(last)};
 }
 
-Pair neighbourhood(const Model& model, const Prescription& given, double low, double high) {
+Pair neighbourhood(const Model& model, const Prescription& prescribed, double low, double high) {
   constexpr int LOOKS = 3;
   for (int look = 0; look < LOOKS; ++look) {
-    const Level fine = springs(model, given, uniform(low, high, FINE_STRIPS));
+    const Level fine = springs(model, prescribed, uniform(low, high, FINE_STRIPS));
     double margin = (high - low) / FINE_STRIPS;
-    if (const auto contact = touching(fine)) {
+    if (const auto contact = spring_contact(fine)) {
       const auto& [first, last] = *contact;
       margin += 0.3 * (last - first);
       return {std::max(low, first - margin), std::min(high, last + margin)};

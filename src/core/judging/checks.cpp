@@ -79,11 +79,11 @@ void find_missed(const Model& model, const Level& level, const Ends& ends, Check
   const double first = grid.edges.front(), last = grid.edges.back();
   const double low = std::max(model.low(), 2.0 * first - last), high = std::min(model.high(), 2.0 * last - first);
   const bool whole = low == model.low() && high == model.high();
-  const Samples of_part = whole ? Samples{} : model.surveyed(low, high);
-  const Samples& along = whole ? model.region()->surveyed : of_part;
+  const Samples of_part = whole ? Samples{} : model.sample_with_crests(low, high);
+  const Samples& along = whole ? model.region()->samples_with_crests : of_part;
   // The displacement falls away from a contact, so that another contact needs a maximum of the undeformed overlap.
   if (!may_go_on(level, ends) && !suspect(level, along)) return;
-  const Samples overlap = overlapping(model, level, along);
+  const Samples overlap = sample_overlap(model, level, along);
   for (std::size_t i = 0; i < overlap.y.size(); ++i)
     if (overlap.h[i] > checks.missed && !is_next_to_contact(level, overlap.y[i]))
       checks.missed = overlap.h[i], checks.missed_y = overlap.y[i];

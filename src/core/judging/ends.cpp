@@ -75,7 +75,7 @@ double step_at(const Level& level, double place) {
 
 Numbers Ends::singular_places() const {
   Numbers places;
-  for (const SingularEnd& each : singular) places.push_back(each.y);
+  for (const SingularEnd& end_here : singular) places.push_back(end_here.y);
   return places;
 }
 
@@ -83,10 +83,10 @@ Ends ends_of(const Model& model, const Level& level) {
   const Grid& grid = *level.grid;
   const State& state = level.state;
   const auto contact = intervals(grid, state.m);
-  Ends found;
+  Ends result;
   for (int column = 0; column < 2; ++column) {
     const int side = 2 * column - 1;
-    End& end = found.ends[column];
+    End& end = result.ends[column];
     const double last = column ? grid.edges.back() : grid.edges.front();
     end.y = contact.empty() ? last : column ? contact.back()[1] : contact[0][0];
     // Undeformed bodies that do not overlap at the end of the strips cannot touch there: the last strip may be wider
@@ -94,11 +94,11 @@ Ends ends_of(const Model& model, const Level& level) {
     const bool touching =
         reaches(grid, state.m, side) && state.rigid[0] + state.rigid[1] * last > model.separation(last);
     if (touching) end = body_end(model, grid, side);
-    if (end.kind == EndKind::singular) found.singular.push_back({end.y, false, step_at(level, end.y)});
+    if (end.kind == EndKind::singular) result.singular.push_back({end.y, false, step_at(level, end.y)});
   }
   const auto bears = [](double m) { return m > 0.0; };
   const Index first = std::find_if(state.m.begin(), state.m.end(), bears) - state.m.begin();
-  if (first == grid.count()) return found;
+  if (first == grid.count()) return result;
   const Index last = state.m.rend() - std::find_if(state.m.rbegin(), state.m.rend(), bears) - 1;
   Numbers pressure(grid.y.size()), half_width(grid.y.size());
   for (Index i = 0; i < grid.count(); ++i) {
@@ -112,20 +112,20 @@ Ends ends_of(const Model& model, const Level& level) {
     for (int column = 0; column < 2; ++column) {
       const int side = 2 * column - 1;
       const Index at = column ? last : first;
-      End& end = found.ends[column];
+      End& end = result.ends[column];
       if (end.kind == EndKind::run_out && side * corner > side * grid.y[at] - grid.width(at))
         end.kind = EndKind::corner, end.y = corner, end.width = grid.width(at);
     }
     const double room = SAME_PLACE * (grid.edges.back() - grid.edges.front());
     const auto is_apart = [&](const SingularEnd& end) { return std::fabs(corner - end.y) > room; };
-    if (std::all_of(found.singular.begin(), found.singular.end(), is_apart))
-      found.singular.push_back({corner, true, step_at(level, corner)});
+    if (std::all_of(result.singular.begin(), result.singular.end(), is_apart))
+      result.singular.push_back({corner, true, step_at(level, corner)});
   }
-  std::sort(found.singular.begin(), found.singular.end(),
+  std::sort(result.singular.begin(), result.singular.end(),
             [](const SingularEnd& one, const SingularEnd& other) { return one.y < other.y; });
   for (int column = 0; column < 2; ++column)
-    if (found.ends[column].kind != EndKind::run_out) found.ends[column].pressure = pressure[column ? last : first];
-  return found;
+    if (result.ends[column].kind != EndKind::run_out) result.ends[column].pressure = pressure[column ? last : first];
+  return result;
 }
 
 }  // namespace nonhertz

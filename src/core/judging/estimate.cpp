@@ -37,7 +37,7 @@ struct Unresolved {
   Numbers ripples;                             ///< of pressure, as K q / a, that flatten each strip
 };
 
-Unresolved unresolved(const Model& model, const Level& level, const Pressures& strips, double load) {
+Unresolved find_unresolved(const Model& model, const Level& level, const Pressures& strips, double load) {
   const Grid& grid = strips.grid;
   const Index n = grid.count();
   Numbers places(n * WITHIN);
@@ -45,27 +45,27 @@ Unresolved unresolved(const Model& model, const Level& level, const Pressures& s
     for (int k = 0; k < WITHIN; ++k) places[i * WITHIN + k] = grid.y[i] + grid.width(i) * within(k);
   const Numbers h = model.separation(places);
   const double least = *std::min_element(h.begin(), h.end());
-  Unresolved found;
+  Unresolved result;
   for (Index i = 0; i < n; ++i) {
     std::array<double, WITHIN> near;
     for (int k = 0; k < WITHIN; ++k) {
       const Index at = i * WITHIN + k;
       const double depth = level.state.rigid[0] + level.state.rigid[1] * places[at];
-      found.penetration = std::max(found.penetration, depth - h[at]);
+      result.penetration = std::max(result.penetration, depth - h[at]);
       // Relief deeper than the approach is out of contact, however deep it is.
       near[k] = std::min(h[at], std::max(depth, least));
     }
     const double off = departure(near);
-    found.mean += strips.load[i] * off;
-    found.ripples.push_back(RIPPLE * off / grid.width(i));
+    result.mean += strips.load[i] * off;
+    result.ripples.push_back(RIPPLE * off / grid.width(i));
   }
-  found.mean /= load;
-  return found;
+  result.mean /= load;
+  return result;
 }
 
 /// Errors due to ends of the contact: of approach or load on these strips, and on any; and of the pressure.
 struct AtEnds {
-  double floor = 0.0, left = 0.0, raised = 0.0;
+  double floor = 0.0, remainder = 0.0, raised = 0.0;
 };
 
 /// The first is proportional to the width of the last strip: measured on straight rollers, a tenth of both end strips'
@@ -80,10 +80,10 @@ struct AtEnds {
 /// The third is the error of the largest pressure if that lies a half-width from a sharp end, in wide strips.
 AtEnds at_ends(const Pressures& strips, const Ends& ends, double length, double highest, double load) {
   const Grid& grid = strips.grid;
-  AtEnds found;
+  AtEnds errors;
   for (const End& end : ends.ends) {
     const double base = 1.0 - std::cos(PI * end.exponent), sharpness = std::pow(base, 1.5);
-    found.floor += SHARP_END_ERROR * end.width * sharpness / length;
+    errors.floor += SHARP_END_ERROR * end.width * sharpness / length;
     int near = 0;
     double nearest = INFINITE, beyond = highest;
     for (Index i = 0; i < grid.count(); ++i) {
@@ -104,17 +104,17 @@ AtEnds at_ends(const Pressures& strips, const Ends& ends, double length, double 
       const Index border = nearest_to([&](Index i) { return from_end(i) - strips.half_width[i]; });
       const Index at = nearest_to([&](Index i) { return from_end(i) - strips.half_width[border]; });
       const double borne = strips.load[at] / grid.width(at) * strips.half_width[at];
-      found.left += LEFT_AT_END * borne * sharpness / load;
+      errors.remainder += LEFT_AT_END * borne * sharpness / load;
     }
     if (near < FEW_AT_END)
-      found.raised = std::max(found.raised, (1.0 + RAISED * end.exponent) * beyond / highest - 1.0);
+      errors.raised = std::max(errors.raised, (1.0 + RAISED * end.exponent) * beyond / highest - 1.0);
   }
-  return found;
+  return errors;
 }
 
 /// Ends resolved by few strips at which the bodies overlap less than a half-width inside.
 std::vector<bool> falls_away(const Model& model, const Level& level, const Pressures& strips, View singular) {
-  std::vector<bool> found(singular.size());
+  std::vector<bool> falls(singular.size());
   double middle = 0.0;
   for (double edge : strips.grid.edges) middle += edge / static_cast<double>(strips.grid.edges.size());
   for (std::size_t k = 0; k < singular.size(); ++k) {
@@ -126,9 +126,9 @@ std::vector<bool> falls_away(const Model& model, const Level& level, const Press
     if (!(0 < count && count < FEW_AT_END)) continue;
     const double inside = singular[k] + std::copysign(widest, middle - singular[k]);
     const auto depth = [&](double y) { return level.state.rigid[0] + level.state.rigid[1] * y - model.separation(y); };
-    found[k] = depth(singular[k]) < (1.0 - FALLS_AWAY) * depth(inside);
+    falls[k] = depth(singular[k]) < (1.0 - FALLS_AWAY) * depth(inside);
   }
-  return found;
+  return falls;
 }
 
 /// Possible height of summits narrower than their strips, zero for all other strips.
@@ -136,19 +136,19 @@ std::vector<bool> falls_away(const Model& model, const Level& level, const Press
 /// A summit rises by no more than twice its last increase on halving the strips.
 Numbers reaches_of(const Pressures& strips, const Pressures* coarse) {
   const Index n = strips.grid.count();
-  Numbers found(n);
+  Numbers heights(n);
   Index at = 0;
   for (Index i = 1; i + 1 < n; ++i) {
-    found[i] = cusp(strips.pressure, i);
+    heights[i] = cusp(strips.pressure, i);
     if (coarse == nullptr) continue;
     const Index last = coarse->grid.count() - 1;
     while (at < last && coarse->grid.high(at) < strips.grid.y[i]) ++at;
     double height = 0.0;
     for (Index j = std::max(at - 1, Index{0}); j <= std::min(at + 1, last); ++j)
       height = std::max(height, coarse->pressure[j]);
-    found[i] = std::min(found[i], strips.pressure[i] + SAFETY * std::fabs(strips.pressure[i] - height));
+    heights[i] = std::min(heights[i], strips.pressure[i] + SAFETY * std::fabs(strips.pressure[i] - height));
   }
-  return found;
+  return heights;
 }
 
 /// The relative error of the largest pressure, at a place, caused by unresolved relief and peaks.
@@ -199,7 +199,7 @@ double relative(double part, double whole) { return whole != 0.0 ? part / std::f
 bool has_whole_roller(const Model& model) {
   const auto& all = model.contact().references;
   return std::any_of(all.begin(), all.end(),
-                     [](const Reference& each) { return std::holds_alternative<AxisOfRoller>(each); });
+                     [](const Reference& reference) { return std::holds_alternative<AxisOfRoller>(reference); });
 }
 
 /// K Q and K T.
@@ -212,7 +212,8 @@ Pair resultant(const Pressures& strips) {
 
 }  // namespace
 
-Errors estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends, bool at_corner) {
+Errors estimate(const Model& model, const Prescription& prescribed, const Levels& levels, const Ends& ends,
+                bool at_corner) {
   const Level& finest = levels.levels[0];
   const double modes = has_whole_roller(model);
   Errors errors{
@@ -224,11 +225,11 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   for (std::size_t k = 0; k < std::min(LEVELS, levels.levels.size()); ++k) grids.emplace_back(levels.levels[k], ratio);
   const Pressures &strips = grids.front(), &coarse = grids[std::min<std::size_t>(1, grids.size() - 1)];
   const auto largest_of = [&singular](const Pressures& of) {
-    return counted(of.grid.y, of.pressure, of.half_width, singular).largest();
+    return values_that_count(of.grid.y, of.pressure, of.half_width, singular).largest();
   };
   const Largest largest = largest_of(strips);
   const double highest = largest.value, load = resultant(strips)[0], reach = finest.grid->half_length();
-  const Unresolved missing = unresolved(model, finest, strips, load);
+  const Unresolved missing = find_unresolved(model, finest, strips, load);
   // Relative to the penetration: the approach before the bodies touch has no error, and may be most of it.
   const double before_touch = finest.state.rigid[0] - missing.penetration;
   std::array<Numbers, 5> values;
@@ -248,8 +249,8 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   const bool follows = !at_corner && !is_kind(EndKind::corner) && !(widest > WIDER_THAN_LONG * longest);
   const double accuracy = follows ? levels.accuracy : 0.0;
   const bool regular = accuracy > 0.0;
-  auto [floor, left, raised] = at_ends(strips, ends, length, highest, load);
-  left += errors.left_by_modes;
+  auto [floor, remainder, raised] = at_ends(strips, ends, length, highest, load);
+  remainder += errors.left_by_modes;
   const double usual = std::max(floor, USUALLY_LEFT * accuracy);
   const double wholes[] = {std::fabs(values[0][0]), std::fabs(load), highest, load * reach,
                            missing.penetration / reach};
@@ -259,12 +260,12 @@ Errors estimate(const Model& model, const Prescription& given, const Levels& lev
   if (summit && grids.size() > 1) of_grids[2] = error_at_summit(strips, *summit, coarse, grids.back(), regular);
   const double unseen = relative(missing.mean, missing.penetration);
   const double unborne = relative(missing.mean * finest.state.stiffness[0][0], load);
-  const auto of_motion = [&](double of_grid) { return std::max(usual, of_grid + unseen) + left; };
-  const auto of_force = [&](double of_grid) { return std::max(usual, of_grid + unborne) + left; };
-  errors.approach = given.by_force[0] ? of_motion(of_grids[0]) : 0.0;
-  errors.load = given.by_force[0] ? 0.0 : of_force(of_grids[1]);
-  errors.tilt = given.by_force[1] ? of_motion(of_grids[4]) : 0.0;
-  errors.moment = given.by_force[1] ? 0.0 : of_force(of_grids[3]);
+  const auto of_motion = [&](double of_grid) { return std::max(usual, of_grid + unseen) + remainder; };
+  const auto of_force = [&](double of_grid) { return std::max(usual, of_grid + unborne) + remainder; };
+  errors.approach = prescribed.by_force[0] ? of_motion(of_grids[0]) : 0.0;
+  errors.load = prescribed.by_force[0] ? 0.0 : of_force(of_grids[1]);
+  errors.tilt = prescribed.by_force[1] ? of_motion(of_grids[4]) : 0.0;
+  errors.moment = prescribed.by_force[1] ? 0.0 : of_force(of_grids[3]);
   if (at_corner || is_kind(EndKind::cut_off)) return errors;
   const double least =
       std::max(PRESSURE_LEFT * levels.accuracy, summit && is_on_corner(strips, *summit) ? LEFT_ON_CORNER : 0.0);

@@ -15,7 +15,7 @@ bool is_at_kink(const Model& model, const Level& level, double y, View singular)
   const Grid& grid = *level.grid;
   Numbers inside;
   for (double bend : model.contact().bends)
-    if (grid.edges.front() < bend && bend < grid.edges.back() && nearly_touching(grid, level.state.m, bend))
+    if (grid.edges.front() < bend && bend < grid.edges.back() && is_nearly_touching(grid, level.state.m, bend))
       inside.push_back(bend);
   if (inside.empty() || inside.size() > MOST_BENDS) return false;
   Index nearest = 0;
@@ -30,7 +30,7 @@ bool is_at_kink(const Model& model, const Level& level, double y, View singular)
 
 }  // namespace
 
-Judgement judge(const Model& model, const Prescription& given, const Levels& levels) {
+Judgement judge(const Model& model, const Prescription& prescribed, const Levels& levels) {
   const Level& finest = levels.levels[0];
   const Grid& grid = *finest.grid;
   const State& state = finest.state;
@@ -41,18 +41,18 @@ Judgement judge(const Model& model, const Prescription& given, const Levels& lev
     const double line_load = state.r[i] * state.m[i] / model.contact().compliance;
     if (half_width[i] > 0.0) pressure[i] = 2.0 * line_load / (std::numbers::pi * half_width[i]);
   }
-  Judgement found;
-  found.contact = intervals(grid, state.m);
-  found.ends = ends_of(model, finest);
-  const Numbers singular = found.ends.singular_places();
-  found.pressure = counted(grid.y, pressure, half_width, singular).largest();
-  if (found.contact.empty()) found.pressure.y = std::numeric_limits<double>::quiet_NaN();
-  found.half_width = counted(grid.y, half_width, half_width, singular).largest().value;
-  found.peaks_at_corner = state.converged() && is_at_kink(model, finest, found.pressure.y, singular);
-  found.penetration = penetration_of(model, grid.edges, state.rigid);
-  found.errors = estimate(model, given, levels, found.ends, found.peaks_at_corner);
-  found.checks = check(model, finest, found);
-  return found;
+  Judgement judgement;
+  judgement.contact = intervals(grid, state.m);
+  judgement.ends = ends_of(model, finest);
+  const Numbers singular = judgement.ends.singular_places();
+  judgement.pressure = values_that_count(grid.y, pressure, half_width, singular).largest();
+  if (judgement.contact.empty()) judgement.pressure.y = std::numeric_limits<double>::quiet_NaN();
+  judgement.half_width = values_that_count(grid.y, half_width, half_width, singular).largest().value;
+  judgement.peaks_at_corner = state.converged() && is_at_kink(model, finest, judgement.pressure.y, singular);
+  judgement.penetration = penetration_of(model, grid.edges, state.rigid);
+  judgement.errors = estimate(model, prescribed, levels, judgement.ends, judgement.peaks_at_corner);
+  judgement.checks = check(model, finest, judgement);
+  return judgement;
 }
 
 }  // namespace nonhertz

@@ -62,11 +62,12 @@ struct Judgement {
 };
 
 /// Judge a solution, or the state of a failed loop, without corners and known errors.
-Judgement judge(const Model& model, const Prescription& given, const Levels& levels);
+Judgement judge(const Model& model, const Prescription& prescribed, const Levels& levels);
 
 // Its parts, each in a file of its own.
 Ends ends_of(const Model& model, const Level& level);
-Errors estimate(const Model& model, const Prescription& given, const Levels& levels, const Ends& ends, bool at_corner);
+Errors estimate(const Model& model, const Prescription& prescribed, const Levels& levels, const Ends& ends,
+                bool at_corner);
 Checks check(const Model& model, const Level& level, const Judgement& known);
 double penetration_of(const Model& model, View edges, const Pair& rigid);
 

@@ -29,8 +29,8 @@ Largest at_border(View y, View values, View half_width, View ends, Index i) {
   const bool first_is_near = first <= half_width[i];
   const Index near = first_is_near ? i : j, far = first_is_near ? j : i;
   double end = ends[0];
-  for (double each : ends)
-    if (std::fabs(y[near] - each) == (first_is_near ? first : second)) end = each;
+  for (double end_place : ends)
+    if (std::fabs(y[near] - end_place) == (first_is_near ? first : second)) end = end_place;
   const double away = y[far] > end ? 1.0 : -1.0, one = away * (y[i] - end), other = away * (y[j] - end);
   const double share = (one - half_width[i]) / ((one - half_width[i]) - (other - half_width[j]));
   double power = share;
@@ -45,27 +45,27 @@ Largest at_border(View y, View values, View half_width, View ends, Index i) {
 
 }  // namespace
 
-Counted counted(View y, View values, View half_width, View ends) {
+Counted values_that_count(View y, View values, View half_width, View ends) {
   const std::size_t n = y.size();
-  Counted found{Numbers(2 * n - 1), Numbers(2 * n - 1)};
+  Counted result{Numbers(2 * n - 1), Numbers(2 * n - 1)};
   bool any_counts = false;
   Index farthest = -1;
   double most = -1.0;
   for (std::size_t i = 0; i < n; ++i) {
-    found.places[i] = y[i];
+    result.places[i] = y[i];
     if (!(values[i] > 0.0)) continue;
     const double distance = nearest(y[i], ends);
-    if (distance > half_width[i]) found.values[i] = values[i], any_counts = true;
+    if (distance > half_width[i]) result.values[i] = values[i], any_counts = true;
     const double of_width = half_width[i] > 0.0 ? distance / half_width[i] : distance;
     if (of_width > most) farthest = static_cast<Index>(i), most = of_width;
   }
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const Largest border = at_border(y, values, half_width, ends, static_cast<Index>(i));
-    found.places[n + i] = border.y, found.values[n + i] = border.value;
+    result.places[n + i] = border.y, result.values[n + i] = border.value;
     any_counts = any_counts || border.value > 0.0;
   }
-  if (!any_counts && farthest >= 0) found.values[farthest] = values[farthest];
-  return found;
+  if (!any_counts && farthest >= 0) result.values[farthest] = values[farthest];
+  return result;
 }
 
 Index Counted::at() const {

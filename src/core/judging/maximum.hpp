@@ -25,6 +25,6 @@ struct Counted {
 ///
 /// Values are zero out of contact. In a contact too short for that, the value farthest from the ends, in half-widths,
 /// counts.
-Counted counted(View y, View values, View half_width, View ends);
+Counted values_that_count(View y, View values, View half_width, View ends);
 
 }  // namespace nonhertz

@@ -18,7 +18,7 @@ constexpr double LEAST_SLOPE = 1e-3;
 double cube(double value) { return value * (value * value); }
 
 /// asinh(angle / scale), and its derivatives by x, which determines the scale, and by the angle.
-TiltCoordinate stretched(double angle, double scale, double scale_x, double scale_xx) {
+TiltCoordinate stretch(double angle, double scale, double scale_x, double scale_xx) {
   const double root = std::sqrt(angle * angle + scale * scale);
   const double rate = -angle / (scale * root);  // by the scale
   const double rate_scale = angle * (2.0 * scale * scale + angle * angle) / (scale * scale * cube(root));
@@ -73,16 +73,16 @@ Derivatives derivatives(const double* coefficients, double t, double u) {
 }
 
 /// A state at a neighbouring approach and tilt: load and moment are continued linearly.
-MapState moved(const MapState& of, double approach, double tilt) {
+MapState continue_linearly(const MapState& of, double approach, double tilt) {
   const double by = approach - of.approach, turn = tilt - of.tilt;
-  MapState there = of;
-  there.approach = approach, there.tilt = tilt;
-  there.load = of.load + of.load_by_approach * by + of.load_by_tilt * turn;
-  there.moment = of.moment + of.load_by_tilt * by + of.moment_by_tilt * turn;
-  return there;
+  MapState state = of;
+  state.approach = approach, state.tilt = tilt;
+  state.load = of.load + of.load_by_approach * by + of.load_by_tilt * turn;
+  state.moment = of.moment + of.load_by_tilt * by + of.moment_by_tilt * turn;
+  return state;
 }
 
-MapState unloaded(double approach, double tilt, bool inside) {
+MapState unloaded_state(double approach, double tilt, bool inside) {
   return {approach, tilt, 0.0, 0.0, 0.0, 0.0, 0.0, inside};
 }
 
@@ -95,9 +95,9 @@ TiltCoordinate MapHead::tilt_coordinate(double x, double tilt) const {
   }
   const double scale = narrow + widening * cube(x);
   const double scale_x = 3.0 * widening * (x * x), scale_xx = 6.0 * widening * x;
-  const TiltCoordinate w = stretched(tilt - centre, scale, scale_x, scale_xx);
-  const TiltCoordinate low = stretched(lowest_tilt - centre, scale, scale_x, scale_xx);
-  const TiltCoordinate high = stretched(highest_tilt - centre, scale, scale_x, scale_xx);
+  const TiltCoordinate w = stretch(tilt - centre, scale, scale_x, scale_xx);
+  const TiltCoordinate low = stretch(lowest_tilt - centre, scale, scale_x, scale_xx);
+  const TiltCoordinate high = stretch(highest_tilt - centre, scale, scale_x, scale_xx);
   const double span = high.z - low.z, span_x = high.by_x - low.by_x, span_xx = high.by_x_twice - low.by_x_twice;
   const double z = (w.z - low.z) / span;
   const double z_x = (w.by_x - low.by_x - z * span_x) / span;
@@ -206,30 +206,30 @@ MapState ContactMap::state(double x, double tilt, const Surface& surface, bool i
           inside};
 }
 
-MapState ContactMap::pressed(double approach, double tilt) const {
+MapState ContactMap::at_approach(double approach, double tilt) const {
   const double near = within(tilt);
   const Touch first = first_touch(near);
   // Beyond the range of tilts the first touch is continued linearly.
   const double level = approach + first.arm * (tilt - near);
-  if (!(level > first.approach)) return unloaded(approach, tilt, near == tilt);
-  const Pressed there = press(near, first.approach, level);
-  const bool inside = near == tilt && level <= there.last;
-  const MapState found = moved(state(there.x, near, there.surface, inside), approach, tilt);
-  return found.load > 0.0 ? found : unloaded(approach, tilt, inside);
+  if (!(level > first.approach)) return unloaded_state(approach, tilt, near == tilt);
+  const Pressed touch = press(near, first.approach, level);
+  const bool inside = near == tilt && level <= touch.last;
+  const MapState result = continue_linearly(state(touch.x, near, touch.surface, inside), approach, tilt);
+  return result.load > 0.0 ? result : unloaded_state(approach, tilt, inside);
 }
 
-MapState ContactMap::loaded(double load, double tilt) const {
+MapState ContactMap::at_load(double load, double tilt) const {
   const double near = within(tilt);
   const bool inside = near == tilt && 0.0 <= load && load <= head_.max_load;
   if (!(load > 0.0)) {
     const Touch first = first_touch(near);
-    return unloaded(first.approach - first.arm * (tilt - near), tilt, inside);
+    return unloaded_state(first.approach - first.arm * (tilt - near), tilt, inside);
   }
   const double x = std::min(std::pow(load / head_.max_load, THIRD), 1.0);
   const MapState border = state(x, near, at(x, near), inside);
   if (inside) return border;
   const double by = (load - border.load - border.load_by_tilt * (tilt - near)) / border.load_by_approach;
-  return moved(border, border.approach + by, tilt);
+  return continue_linearly(border, border.approach + by, tilt);
 }
 
 ContactMap::Under ContactMap::under(double load, double tilt) const {

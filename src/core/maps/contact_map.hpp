@@ -68,10 +68,10 @@ class ContactMap {
   static Index size_of_mean_approach(const MapHead& head);
 
   /// Return the state at an approach [mm] and a tilt [rad]; out of contact load, moment and stiffness are zero.
-  MapState pressed(double approach, double tilt) const;
+  MapState at_approach(double approach, double tilt) const;
 
   /// Return the state under a load [N] and at a tilt [rad]; without load that of first touch, without stiffness.
-  MapState loaded(double load, double tilt) const;
+  MapState at_load(double load, double tilt) const;
 
   /// Return largest pressure and half-width; outside the range those of the nearest load and tilt within it.
   PressureAndWidth pressures(double load, double tilt) const;

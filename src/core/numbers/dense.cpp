@@ -39,7 +39,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return out;
 }
 
-Matrix solved(Matrix a, Matrix b) {
+Matrix solve_dense(Matrix a, Matrix b) {
   const Index n = a.rows();
   // The factors of elimination replace the entries that they eliminate.
   for (Index k = 0; k < n; ++k) {

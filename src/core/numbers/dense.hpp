@@ -9,6 +9,6 @@ namespace nonhertz {
 Matrix product(const Matrix& a, const Matrix& b);
 
 /// a^-1 b, by elimination with the largest pivot of each column.
-Matrix solved(Matrix a, Matrix b);
+Matrix solve_dense(Matrix a, Matrix b);
 
 }  // namespace nonhertz

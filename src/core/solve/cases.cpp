@@ -14,9 +14,9 @@ std::shared_ptr<const Grid> without_depth(const Grid& grid) {
       Grid{grid.edges, grid.y, grid.separation, grid.curvature, grid.min_depth, grid.sharper, {}, {}});
 }
 
-Grids grids_of(const Model& model, const Prescription& given, const Strips& strips) {
+Grids grids_of(const Model& model, const Prescription& prescribed, const Strips& strips) {
   if (const auto* edges = std::get_if<Numbers>(&strips)) return given_grids(model, *edges);
-  return equal_grids(model, given, std::get<Index>(strips));
+  return equal_grids(model, prescribed, std::get<Index>(strips));
 }
 
 /// Whether all cases have the same strips: the region of a contact of infinite bodies depends on the case, and so does
@@ -32,31 +32,31 @@ class Course {
   Course(const Model& model, const Strips& strips)
       : model_(model), strips_(strips), shares_(are_shared(model, strips)) {}
 
-  Result solve(const Prescription& given, const Stop* stop) {
-    Result result = checked(model_, given, solve_levels(given, stop));
+  Result solve(const Prescription& prescribed, const Stop* stop) {
+    Result result = check_and_judge(model_, prescribed, solve_levels(prescribed, stop));
     for (Level& level : result.levels.levels) level.grid = light(level.grid);
     return result;
   }
 
   /// Solve a case that may start from previous ones. A misleading start is not a reason to fail.
-  Result solve_next(const Prescription& given, const Stop* stop) {
-    if (!shares_) return solve(given, stop);
+  Result solve_next(const Prescription& prescribed, const Stop* stop) {
+    if (!shares_) return solve(prescribed, stop);
     const bool is_first = tracks_.empty();
-    Result result = solve(given, stop);
+    Result result = solve(prescribed, stop);
     if (is_first || result.holds()) return result;
     tracks_.clear();
-    return solve(given, stop);
+    return solve(prescribed, stop);
   }
 
  private:
-  Levels solve_levels(const Prescription& given, const Stop* stop) {
+  Levels solve_levels(const Prescription& prescribed, const Stop* stop) {
     if (const auto* accuracy = std::get_if<Accuracy>(&strips_))
-      return solve_automatically(model_, given, *accuracy, stop);
+      return solve_automatically(model_, prescribed, *accuracy, stop);
     if (!shares_) tracks_.clear();
     if (tracks_.empty())
-      for (const auto& grid : grids_of(model_, given, strips_)) tracks_.emplace_back(grid, model_.kernel());
-    refuse_infeasible(model_, *tracks_[0].grid, given);
-    return solve_on_grids(tracks_, given, stop);
+      for (const auto& grid : grids_of(model_, prescribed, strips_)) tracks_.emplace_back(grid, model_.kernel());
+    refuse_infeasible(model_, *tracks_[0].grid, prescribed);
+    return solve_on_grids(tracks_, prescribed, stop);
   }
 
   std::shared_ptr<const Grid> light(const std::shared_ptr<const Grid>& grid) {
@@ -86,8 +86,8 @@ bool Result::holds() const {
          j.checks.radius_ratio <= 1.0 && j.checks.depth_ratio >= 1.0;
 }
 
-Result judged(const Model& model, const Prescription& given, Levels levels) {
-  Result result{given, std::move(levels), {}, true, {}, {}};
+Result judge_levels(const Model& model, const Prescription& prescribed, Levels levels) {
+  Result result{prescribed, std::move(levels), {}, true, {}, {}};
   const auto& [grid, state] = result.finest();
   Numbers carried(state.r.size()), turned(state.r.size());
   for (Index i = 0; i < grid->count(); ++i) {
@@ -95,21 +95,21 @@ Result judged(const Model& model, const Prescription& given, Levels levels) {
     turned[i] = carried[i] * grid->y[i];
   }
   result.resultant = {sum_of(carried), sum_of(turned)};
-  result.judgement = judge(model, given, result.levels);
+  result.judgement = judge(model, prescribed, result.levels);
   return result;
 }
 
-Result checked(const Model& model, const Prescription& given, Levels levels) {
-  Result result = judged(model, given, std::move(levels));
+Result check_and_judge(const Model& model, const Prescription& prescribed, Levels levels) {
+  Result result = judge_levels(model, prescribed, std::move(levels));
   const auto& [grid, state] = result.finest();
   if (!state.converged()) return result;
   result.is_steady = steady(*grid, state);
-  result.shortfall = first_unmet(*grid, given, model.kernel(), state);
+  result.shortfall = first_unmet(*grid, prescribed, model.kernel(), state);
   return result;
 }
 
-Result solve(const Model& model, const Prescription& given, const Strips& strips, const Stop* stop) {
-  return Course(model, strips).solve(given, stop);
+Result solve(const Model& model, const Prescription& prescribed, const Strips& strips, const Stop* stop) {
+  return Course(model, strips).solve(prescribed, stop);
 }
 
 std::vector<Ended> solve_in_turn(const Model& model, std::array<bool, 2> by_force, const std::vector<Pair>& targets,

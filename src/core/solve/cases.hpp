@@ -13,7 +13,7 @@ using Strips = std::variant<Accuracy, Index, Numbers>;
 
 /// The outcome of a case, judged even if the loop failed. Its grids omit the matrix of reference points.
 struct Result {
-  Prescription given;
+  Prescription prescribed;
   Levels levels;
   Pair resultant{};  ///< K Q [mm^2] and K T [mm^3]
   bool is_steady = true;
@@ -26,12 +26,12 @@ struct Result {
 };
 
 /// Judge the solutions of a case on all levels, known to meet the prescribed values.
-Result judged(const Model& model, const Prescription& given, Levels levels);
+Result judge_levels(const Model& model, const Prescription& prescribed, Levels levels);
 /// The same for solutions that have to be checked, on grids with the matrix of reference points.
-Result checked(const Model& model, const Prescription& given, Levels levels);
+Result check_and_judge(const Model& model, const Prescription& prescribed, Levels levels);
 
 /// Solve a case; throws Refused if no strips can meet the prescribed values, and Stopped.
-Result solve(const Model& model, const Prescription& given, const Strips& strips, const Stop* stop = nullptr);
+Result solve(const Model& model, const Prescription& prescribed, const Strips& strips, const Stop* stop = nullptr);
 
 /// A result, or the reason why there is none: Refused, or the exception of a profile.
 using Ended = std::variant<Result, std::exception_ptr>;

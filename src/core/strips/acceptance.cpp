@@ -15,7 +15,7 @@ constexpr double ROUNDING = 1e-14;    // relative to the largest of the lengths 
 constexpr double MOST_HIDDEN = 1e-2;  // largest rounding as a fraction of the interference
 constexpr double UNSTEADY = -1e-6;    // of the stiffness against approach times reach^2: smaller values are rounding
 
-Shortfall unusable(const Grid& grid, const Answer& answer) {
+Shortfall check_values(const Grid& grid, const Answer& answer) {
   const auto& [q, half_width, gap, motion] = answer;
   for (Index i = 0; i < grid.count(); ++i) {
     const bool unknown = std::isnan(gap[i]) || std::isnan(grid.separation[i]);
@@ -27,19 +27,19 @@ Shortfall unusable(const Grid& grid, const Answer& answer) {
   return {};
 }
 
-Shortfall unbalanced(const Grid& grid, const Answer& answer, const Prescription& given) {
+Shortfall check_balance(const Grid& grid, const Answer& answer, const Prescription& prescribed) {
   double load = 0.0, moment = 0.0;
   for (Index i = 0; i < grid.count(); ++i) {
     const double carried = answer.q[i] * grid.width(i);
     load += carried;
     moment += carried * grid.y[i];
   }
-  const Pair &target = given.target, &rigid = answer.motion;
-  const double first = given.by_force[0] ? load : rigid[0], second = given.by_force[1] ? moment : rigid[1];
+  const Pair &target = prescribed.target, &rigid = answer.motion;
+  const double first = prescribed.by_force[0] ? load : rigid[0], second = prescribed.by_force[1] ? moment : rigid[1];
   if (!(std::fabs(first - target[0]) <= TOLERANCE * std::fabs(target[0]))) return {Unmet::first, first, 0};
   // A moment is as accurate as the load at the longest lever arm.
   const double reach = std::max(std::fabs(grid.y.front()), std::fabs(grid.y.back()));
-  const double scale = given.by_force[1] ? load * reach : std::fabs(target[1]);
+  const double scale = prescribed.by_force[1] ? load * reach : std::fabs(target[1]);
   if (!(std::fabs(second - target[1]) <= TOLERANCE * scale)) return {Unmet::second, second, 0};
   return {};
 }
@@ -56,7 +56,7 @@ void add_face(const Grid& grid, const Answer& answer, const Kernel& kernel, cons
   Numbers u(n);
   for (Index i = 0; i < n; ++i) u[i] = away_from_face(grid.y[i]);
   Matrix of_edges[2] = {Matrix(1 + POWERS, n + TILE), Matrix(1 + POWERS, n + TILE)}, work(2, n + TILE);
-  Squares kept;
+  Squares cache;
   // The upper edge of a strip is the lower edge of the next.
   double at_low = away_from_face(grid.low(0));
   far_terms(u, at_low, table, of_edges[0], work);
@@ -72,7 +72,7 @@ void add_face(const Grid& grid, const Answer& answer, const Kernel& kernel, cons
     const double by_bend = face.weight * q[j] * inverse * inverse;
     for (Index i = 0; i < n; ++i) {
       if ((u[i] + inner) * unit * inverse < AWAY) {
-        const Four near = added_by_face(grid.y[i], grid.low(j), grid.high(j), inverse, face, *kernel.element, kept);
+        const Four near = face_influence(grid.y[i], grid.low(j), grid.high(j), inverse, face, *kernel.element, cache);
         lift[i] += face.weight * q[j] * near.a();
         bend[i] += by_bend * near.b();
         continue;
@@ -127,19 +127,20 @@ std::array<Numbers, 2> lift_and_bend(const Grid& grid, const Answer& answer, con
 
 }  // namespace
 
-Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state) {
+Shortfall first_unmet(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const State& state) {
   const Index n = grid.count();
   Answer answer{Numbers(n), Numbers(n), state.gap, state.rigid};
   for (Index i = 0; i < n; ++i) {
     answer.q[i] = state.r[i] * state.m[i];
     answer.half_width[i] = std::sqrt(state.m[i]);
   }
-  return first_unmet(grid, given, kernel, answer);
+  return first_unmet(grid, prescribed, kernel, answer);
 }
 
-Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const Answer& answer) {
-  if (const Shortfall found = unusable(grid, answer); found.condition != Unmet::none) return found;
-  if (const Shortfall found = unbalanced(grid, answer, given); found.condition != Unmet::none) return found;
+Shortfall first_unmet(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const Answer& answer) {
+  if (const Shortfall shortfall = check_values(grid, answer); shortfall.condition != Unmet::none) return shortfall;
+  if (const Shortfall shortfall = check_balance(grid, answer, prescribed); shortfall.condition != Unmet::none)
+    return shortfall;
   const Pair& rigid = answer.motion;
   double deepest = 0.0;
   double longest =
@@ -172,8 +173,8 @@ bool steady(const Grid& grid, const State& state) {
 
 bool steady(const std::array<Pair, 2>& k, double reach) {
   for (const Pair& row : k)
-    for (double each : row)
-      if (!std::isfinite(each)) return false;
+    for (double value : row)
+      if (!std::isfinite(value)) return false;
   return k[0][0] > 0.0 && k[1][1] >= UNSTEADY * k[0][0] * reach * reach;
 }
 

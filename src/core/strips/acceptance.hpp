@@ -15,7 +15,7 @@ enum class Unmet { none, not_finite, first, second, tension, unclosed, overlap, 
 /// The first condition that is not met, the value found, and the strip where it was found.
 struct Shortfall {
   Unmet condition = Unmet::none;
-  double found = 0.0;
+  double value = 0.0;
   Index at = 0;
 };
 
@@ -28,8 +28,8 @@ struct Answer {
   }
 };
 
-Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const Answer& answer);
-Shortfall first_unmet(const Grid& grid, const Prescription& given, const Kernel& kernel, const State& state);
+Shortfall first_unmet(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const Answer& answer);
+Shortfall first_unmet(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const State& state);
 
 /// Whether the stiffness against approach and tilt is positive; spurious solutions fail this.
 bool steady(const std::array<Pair, 2>& stiffness, double reach);

@@ -12,12 +12,12 @@ constexpr double FARTHEST = 2.0;   // steps ahead of the last one
 constexpr double STRAIGHT = 1e-9;  // of a step: permitted distance of a prescription from the line through the last two
 constexpr double BOUNDED = 2.0;    // factor by which a strip may change; beyond, it starts from its last value
 
-bool is_similar(const Prescription& given, const Pair& before, const State& state, double half_length) {
-  const Pair& target = given.target;
+bool is_similar(const Prescription& prescribed, const Pair& before, const State& state, double half_length) {
+  const Pair& target = prescribed.target;
   double scale = std::fabs(target[1]);
-  if (!given.by_force[1])
+  if (!prescribed.by_force[1])
     scale = std::fabs(state.rigid[0]) / half_length;
-  else if (given.by_force[0])
+  else if (prescribed.by_force[0])
     scale = target[0] * half_length;
   return std::fabs(target[0] - before[0]) <= NEARBY * std::fabs(target[0]) &&
          std::fabs(target[1] - before[1]) <= NEARBY * scale;
@@ -44,31 +44,31 @@ double carried_on(const std::vector<double>& weights, const auto& value_in) {
 
 }  // namespace
 
-void Continuation::add(const Prescription& given, const State& solution) {
+void Continuation::add(const Prescription& prescribed, const State& solution) {
   if (!solution.converged()) return solved_.clear();
   if (solved_.size() == POINTS) solved_.pop_back();
-  solved_.insert(solved_.begin(), {given.target, solution});
+  solved_.insert(solved_.begin(), {prescribed.target, solution});
 }
 
-std::optional<State> Continuation::next(const Prescription& given, const Grid& grid) const {
+std::optional<State> Continuation::next(const Prescription& prescribed, const Grid& grid) const {
   if (solved_.empty()) return std::nullopt;
   const auto& [target, last] = solved_[0];
-  if (!is_similar(given, target, last, grid.half_length())) return std::nullopt;
+  if (!is_similar(prescribed, target, last, grid.half_length())) return std::nullopt;
   State state = last;
-  const auto by_solution = weights(given.target);
+  const auto by_solution = weights(prescribed.target);
   const auto carry_on = [&](double& value, const auto& value_in) {
     const double later = carried_on(by_solution, value_in);
     if (value / BOUNDED < later && later < BOUNDED * value) value = later;
   };
   for (Index i = 0; i < grid.count(); ++i) {
-    const auto bears = [i](const Solved& each) { return each.state.m[i] > 0.0; };
+    const auto bears = [i](const Solved& solved) { return solved.state.m[i] > 0.0; };
     if (!std::all_of(solved_.begin(), solved_.begin() + std::ssize(by_solution), bears)) continue;
     carry_on(state.r[i], [&](std::size_t k) { return solved_[k].state.r[i]; });
     carry_on(state.m[i], [&](std::size_t k) { return solved_[k].state.m[i]; });
   }
   for (int k = 0; k < 2; ++k) {
     const double moved = carried_on(by_solution, [&](std::size_t of) { return solved_[of].state.rigid[k]; });
-    state.rigid[k] = given.by_force[k] ? moved : given.target[k];
+    state.rigid[k] = prescribed.by_force[k] ? moved : prescribed.target[k];
   }
   return state;
 }

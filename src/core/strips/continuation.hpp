@@ -11,11 +11,11 @@ namespace nonhertz {
 /// The last solutions on one grid, extrapolated to the next prescription.
 class Continuation {
  public:
-  void add(const Prescription& given, const State& solution);
+  void add(const Prescription& prescribed, const State& solution);
   /// Return the start of the next case; nothing if the last one is not similar enough.
   ///
   /// Prescriptions on a straight line are extrapolated by the parabola through the last three, or the line through two.
-  std::optional<State> next(const Prescription& given, const Grid& grid) const;
+  std::optional<State> next(const Prescription& prescribed, const Grid& grid) const;
 
  private:
   struct Solved {

@@ -22,14 +22,14 @@ struct Shape {
 
 /// The far series in 1/t^2, lowest power first; A without ln(2 t).
 std::vector<Four> series(const Shape& shape, int terms) {
-  std::vector<Four> found;
+  std::vector<Four> coefficients;
   double binomial = 1.0;  // of -1/2 over k
   for (int k = 0; k < terms; ++k) {
     const double phi = binomial * shape.moment(k), psi = binomial * shape.slope_moment(k);
-    found.push_back({k == 0 ? shape.far_constant : -phi / (2 * k), phi, psi, -2 * k * psi});
+    coefficients.push_back({k == 0 ? shape.far_constant : -phi / (2 * k), phi, psi, -2 * k * psi});
     binomial *= -(0.5 + k) / (k + 1);
   }
-  return found;
+  return coefficients;
 }
 
 /// Chebyshev polynomials of the first kind at x.
@@ -66,7 +66,7 @@ struct Interpolation {
 };
 
 /// The integral of a Chebyshev series from -1 to each node, and to 1.
-std::pair<Values, double> integrated(const Values& c, const Interpolation& by) {
+std::pair<Values, double> integrate(const Values& c, const Interpolation& by) {
   std::array<double, NODES + 1> of{};
   for (int k = 0; k < NODES; ++k) {
     of[k + 1] += k == 0 ? c[0] : c[k] / (2.0 * (k + 1));
@@ -111,7 +111,7 @@ Numbers table_of(const Shape& shape) {
         values[0][n] = f.a(), values[1][n] = f.ta(), values[2][n] = f.b(), values[3][n] = f.tb();
       }
       if (low < CANCELLING) {
-        const auto [within, whole] = integrated(by.to_chebyshev(slope), by);
+        const auto [within, whole] = integrate(by.to_chebyshev(slope), by);
         for (int n = 0; n < NODES; ++n) values[0][n] = before + half * within[n];
         before += half * whole;
       }
@@ -133,9 +133,9 @@ Numbers table_of(const Shape& shape) {
 
 /// Binomial coefficient of 2 k over k, over 4^k.
 double central(int k) {
-  double found = 1.0;
-  for (int i = 1; i <= k; ++i) found *= (2.0 * i - 1.0) / (2.0 * i);
-  return found;
+  double product = 1.0;
+  for (int i = 1; i <= k; ++i) product *= (2.0 * i - 1.0) / (2.0 * i);
+  return product;
 }
 
 /// By the arithmetic-geometric mean (DLMF 19.8.5 and 19.8.6), which does not cancel in K - E.

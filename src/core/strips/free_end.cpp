@@ -33,17 +33,17 @@ Octave octave_of(double size) {
 }
 
 /// The four functions within the table.
-Four square(double u, double v, const double* table, Square& kept) {
+Four square(double u, double v, const double* table, Square& cache) {
   const auto [row, x] = octave_of(u);
   const auto [column, z] = octave_of(v);
   const Index at = (row * OCTAVES + column) * SQUARE;
-  if (kept.of != table + at || kept.v != z) {
-    kept.of = table + at, kept.v = z;
+  if (cache.of != table + at || cache.v != z) {
+    cache.of = table + at, cache.v = z;
     for (int power = 0; power <= SQUARE_DEGREE; ++power)
-      kept.polynomials[power] = polynomials(table + at + 4 * (SQUARE_DEGREE + 1) * power, SQUARE_DEGREE + 1, z);
+      cache.polynomials[power] = polynomials(table + at + 4 * (SQUARE_DEGREE + 1) * power, SQUARE_DEGREE + 1, z);
   }
   Four s;
-  for (const Four& each : kept.polynomials) s = x * s + each;
+  for (const Four& polynomial : cache.polynomials) s = x * s + polynomial;
   return s;
 }
 
@@ -77,14 +77,14 @@ Four series(double u, double inner, double outer, const double* table, const dou
 }
 
 /// H, (u d/du + v d/dv) H, C and (u d/du + v d/dv) C, for v within the table.
-Four up_to(double u, double v, const double* table, const double* element, Square& kept) {
+Four up_to(double u, double v, const double* table, const double* element, Square& cache) {
   if (v <= 0.0) return {};
   if (u >= AWAY) return series(u, 0.0, v, table, element);
   // Close to the edge h and c vary only with the logarithm of the distance.
   const double scale = std::max(1.0, std::min(CLOSE / std::max(std::min(u, v), TINY), LOGARITHMIC / std::max(u, v)));
   const double place = std::max(scale * u, CLOSE), edge = scale * v;
   const double share = std::min(edge / CLOSE, 1.0) / scale;
-  const Four s = square(place, std::max(edge, CLOSE), table, kept);
+  const Four s = square(place, std::max(edge, CLOSE), table, cache);
   const double grown = v * std::log(scale), h = table[SLOPES_AT] * grown, c = table[SLOPES_AT + 1] * grown;
   return share * s + Four(h, h, c, c);
 }
@@ -118,11 +118,11 @@ void far_polynomials(const Matrix& work, Index begin, Index end, double sign, co
 
 }  // namespace
 
-Four free_end(double u, double inner, double outer, const double* table, const double* element, Squares& kept) {
+Four free_end(double u, double inner, double outer, const double* table, const double* element, Squares& cache) {
   if (u + inner >= AWAY) return series(u, inner, outer, table, element);
   // The rest is beyond the table, in the far field.
   const double last = std::max(std::min(outer, AWAY), inner);
-  const Four low = up_to(u, inner, table, element, kept[0]), high = up_to(u, last, table, element, kept[1]);
+  const Four low = up_to(u, inner, table, element, cache[0]), high = up_to(u, last, table, element, cache[1]);
   return outer > last ? high - low + series(u, last, outer, table, element) : high - low;
 }
 

@@ -28,7 +28,7 @@ using Squares = std::array<Square, 2>;
 ///
 /// u, inner, outer: distances of the place and of both edges of the strip from the face, in half-widths, not negative;
 /// table: that of the face; element: the table of the element.
-Four free_end(double u, double inner, double outer, const double* table, const double* element, Squares& kept);
+Four free_end(double u, double inner, double outer, const double* table, const double* element, Squares& cache);
 
 /// Places whose polynomials are evaluated at a time: enough that no instruction waits for the previous one.
 inline constexpr int TILE = 16;

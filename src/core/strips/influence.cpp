@@ -164,7 +164,7 @@ void Influence::seen_from(Index source, double m) {
   for (const Face& face : kernel_.faces) {
     const auto [begin, end] = near(at++, source);
     for (Index i = begin; i < end; ++i)
-      seen_[i] += face.weight * added_by_face(y[i], low, high, inverse, face, element, squares_);
+      seen_[i] += face.weight * face_influence(y[i], low, high, inverse, face, element, squares_);
   }
   const auto [own, slope] = by_own_width(grid_.by_width, source, 1.0 / inverse);
   seen_[source] += {own, -slope, 0.0, 0.0};
@@ -198,18 +198,18 @@ void Influence::lift(View m, View q, Row out) {
   add_products([this](Index i) { return grid_.at_depth[i].data(); }, away_, out);
 }
 
-Four added_by_face(double y, double low, double high, double inverse, const Face& face, const Element& element,
-                   Squares& kept) {
+Four face_influence(double y, double low, double high, double inverse, const Face& face, const Element& element,
+                    Squares& cache) {
   const double u = std::max(face.side * (face.place - y), 0.0) * inverse;
   const double one = face.side * (face.place - low) * inverse, other = face.side * (face.place - high) * inverse;
   const double inner = std::max(std::min(one, other), 0.0), outer = std::max({one, other, 0.0});
-  return free_end(u, inner, outer, face.table->data(), element.table.data(), kept);
+  return free_end(u, inner, outer, face.table->data(), element.table.data(), cache);
 }
 
-Numbers on_the_surface(View places, const Grid& grid, const State& state, const Kernel& kernel) {
+Numbers surface_displacement(View places, const Grid& grid, const State& state, const Kernel& kernel) {
   const double* table = kernel.element->table.data();
-  Numbers found(places.size());
-  Squares kept;
+  Numbers displacement(places.size());
+  Squares cache;
   for (Index j = 0; j < grid.count(); ++j) {
     if (!(state.m[j] > 0.0)) continue;
     const double a = std::sqrt(state.m[j]), inverse = 1.0 / a, q = state.r[j] * state.m[j];
@@ -224,12 +224,12 @@ Numbers on_the_surface(View places, const Grid& grid, const State& state, const 
         seen += term.sign * term.weight * (upper - lower);
       }
       for (const Face& face : kernel.faces)
-        seen +=
-            face.weight * added_by_face(places[i], grid.low(j), grid.high(j), inverse, face, *kernel.element, kept).a();
-      found[i] += q * seen;
+        seen += face.weight *
+                face_influence(places[i], grid.low(j), grid.high(j), inverse, face, *kernel.element, cache).a();
+      displacement[i] += q * seen;
     }
   }
-  return found;
+  return displacement;
 }
 
 }  // namespace nonhertz

@@ -51,11 +51,11 @@ class Influence {
 };
 
 /// Correction for a free side face to [A], [t A'], [B] and [t B'] at y of a strip with 1/a = inverse.
-Four added_by_face(double y, double low, double high, double inverse, const Face& face, const Element& element,
-                   Squares& kept);
+Four face_influence(double y, double low, double high, double inverse, const Face& face, const Element& element,
+                    Squares& cache);
 
 /// Displacement on the surface at any places, per unit of compliance, without points at depth.
-Numbers on_the_surface(View places, const Grid& grid, const State& state, const Kernel& kernel);
+Numbers surface_displacement(View places, const Grid& grid, const State& state, const Kernel& kernel);
 
 /// Effect of its half-width a on [A] of a strip on itself, C0 + C1 a + (C2 ln a + C3) a^2, and a times the derivative.
 inline Pair by_own_width(const Matrix& by_width, Index strip, double a) {

@@ -112,8 +112,8 @@ Index largest_of(const double* values, Index first, Index end) {
 }  // namespace
 
 void System::reset(Index unknowns, Index sides) {
-  const Index n = padded(unknowns);
-  values_.resize(n, n + padded(sides));
+  const Index n = padded_size(unknowns);
+  values_.resize(n, n + padded_size(sides));
   panel_.resize(BLOCK, n);
   for (Index i = 0; i < n; ++i) {
     const Row row = values_[i];

@@ -12,7 +12,7 @@ namespace nonhertz {
 inline constexpr Index BLOCK = 8;  // rows and columns eliminated at a time, also the width of a tile
 inline constexpr Index TALL = 4;   // the height of a tile, and the width of a last one
 
-inline constexpr Index padded(Index count) { return (count + TALL - 1) / TALL * TALL; }
+inline constexpr Index padded_size(Index count) { return (count + TALL - 1) / TALL * TALL; }
 
 /// A system of equations: the matrix, and from column `sides()` on its right-hand sides, which become the solutions.
 class System {

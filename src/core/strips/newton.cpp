@@ -22,23 +22,23 @@ constexpr double LET_SETTLE = 0.1;
 // again.
 constexpr double AFTER_RETURN = 0.5;
 
-double imbalance(const Prescription& given, const Pair& off, double load) {
+double imbalance(const Prescription& prescribed, const Pair& off, double load) {
   double largest = 0.0;
-  const double reference = given.by_force[0] ? given.target[0] : load;
+  const double reference = prescribed.by_force[0] ? prescribed.target[0] : load;
   for (int k = 0; k < 2; ++k)
-    if (given.by_force[k]) largest = worse(largest, std::fabs(off[k]) / reference);
+    if (prescribed.by_force[k]) largest = worse(largest, std::fabs(off[k]) / reference);
   return largest;
 }
 
 double sum(View values) {
   double total = 0.0;
-  for (double each : values) total += each;
+  for (double value : values) total += value;
   return total;
 }
 
 double largest_of(View values) {
   double largest = 0.0;
-  for (double each : values) largest = worse(largest, each);
+  for (double value : values) largest = worse(largest, value);
   return largest;
 }
 
@@ -47,7 +47,7 @@ double largest_of(View values) {
 Newton::Newton(const Grid& grid, const Kernel& kernel)
     : grid_(grid), kernel_(kernel), half_(grid.half_length()), influence_(grid, kernel) {}
 
-void Newton::run(const Prescription& given, const Options& options, State& state) {
+void Newton::run(const Prescription& prescribed, const Options& options, State& state) {
   const bool rough = options.tolerance > TOLERANCE;
   const double nearly = rough ? ROUGHLY_NEARLY : NEARLY, small_step = rough ? ROUGHLY_SMALL : SMALL_STEP;
   const auto ends = [&state](Status status, int steps, double residual) {
@@ -59,11 +59,11 @@ void Newton::run(const Prescription& given, const Options& options, State& state
   const int limit = options.follows ? FOLLOWING : STEP_LIMIT;
   for (int step = 0; step < limit; ++step) {
     if (options.stop != nullptr) options.stop->look();
-    pair_lone_strip(given, state);
+    pair_lone_strip(prescribed, state);
     find_active(state);
     if (active_.empty()) return ends(Status::stagnated, step, residual);
     influence_.keep_up(state.m);
-    const auto [scale, noise, unsettled] = weigh(given, options, state);
+    const auto [scale, noise, unsettled] = weigh(prescribed, options, state);
     double least = state.gap[0];
     for (double gap : state.gap) least = -worse(-least, -gap);
     residual = worse(unsettled, -(least + noise) / scale);
@@ -75,7 +75,7 @@ void Newton::run(const Prescription& given, const Options& options, State& state
       for (std::size_t k = 0; k < active_.size(); ++k) state.gap[active_[k]] = unclosed_[k];
       return ends(Status::converged, step, residual);
     }
-    const Pair rigid = rigid_step(given);
+    const Pair rigid = rigid_step(prescribed);
     const double largest = combine(rigid);
     const double widest = largest_of(state.m), too_wide = WIDEST * half_;
     if (widest > too_wide * too_wide || !std::isfinite(largest)) return ends(Status::stagnated, step, residual);
@@ -88,23 +88,23 @@ void Newton::run(const Prescription& given, const Options& options, State& state
     state.rigid[1] += relaxation * rigid[1] / half_;
     const bool changed = update(relaxation, state);
     const bool entered = enter(noise + LET_SETTLE * unsettled * scale, state);
-    has_returned = returned(state) || has_returned;
+    has_returned = mark_departures(state) || has_returned;
     if (!options.follows && residual < nearly && largest < small_step && !changed && !entered) {
-      const double left = violation(given, state);
-      if (left < options.tolerance) return ends(Status::converged, step + 1, left);
+      const double worst = violation(prescribed, state);
+      if (worst < options.tolerance) return ends(Status::converged, step + 1, worst);
     }
   }
   ends(Status::iteration_limit, STEP_LIMIT, residual);
 }
 
 /// Put a neighbour in contact beside a lone strip that must carry load and moment: one strip cannot.
-void Newton::pair_lone_strip(const Prescription& given, State& state) const {
-  if (!given.both()) return;
+void Newton::pair_lone_strip(const Prescription& prescribed, State& state) const {
+  if (!prescribed.both()) return;
   Index alone = 0, count = 0;
   for (Index i = 0; i < grid_.count(); ++i)
     if (state.m[i] > 0.0) alone = i, ++count;
   if (count != 1) return;
-  const double arm = given.target[1] / given.target[0] - grid_.y[alone];
+  const double arm = prescribed.target[1] / prescribed.target[0] - grid_.y[alone];
   const Index other = alone + (arm > 0.0 ? 1 : -1);
   if (std::fabs(arm) > 1e-12 * grid_.width(alone) && 0 <= other && other < grid_.count()) {
     state.m[other] = 1e-3 * state.m[alone];
@@ -119,8 +119,8 @@ void Newton::find_active(const State& state) {
 }
 
 /// Linearise; fill in the gap of idle strips, and return the largest residual without them.
-Newton::Weighed Newton::weigh(const Prescription& given, const Options& options, State& state) {
-  const double unbent = linearise(given, options, state);
+Newton::Weighed Newton::weigh(const Prescription& prescribed, const Options& options, State& state) {
+  const double unbent = linearise(prescribed, options, state);
   auto [scale, noise, unsettled] = scales(state);
   idle_.clear(), raised_.clear();
   for (Index i = 0; i < grid_.count(); ++i) {
@@ -132,9 +132,9 @@ Newton::Weighed Newton::weigh(const Prescription& given, const Options& options,
   add_products([this](Index i) { return blocks_[0][idle_[i]].data(); }, q_, raised_);
   for (std::size_t i = 0; i < idle_.size(); ++i) state.gap[idle_[i]] = raised_[i];
   double largest = 0.0;
-  for (double each : unclosed_) largest = worse(largest, std::fabs(each));
+  for (double value : unclosed_) largest = worse(largest, std::fabs(value));
   unsettled = worse((largest - noise) / scale, unbent);
-  return {scale, noise, worse(unsettled, imbalance(given, off_, sum(weights_)))};
+  return {scale, noise, worse(unsettled, imbalance(prescribed, off_, sum(weights_)))};
 }
 
 /// Return the deepest interference in contact, and the rounding error of a gap, a difference of large lengths.
@@ -149,11 +149,11 @@ Newton::Weighed Newton::scales(const State& state) const {
 }
 
 /// Set up the equations at a state, with r from the curvature rows; return these rows' largest residual.
-double Newton::linearise(const Prescription& given, const Options& options, State& state) {
-  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+double Newton::linearise(const Prescription& prescribed, const Options& options, State& state) {
+  const Index k = static_cast<Index>(active_.size()), at = padded_size(k);
   influence_.coefficients(state.m, active_, blocks_);
   solve_curvature();
-  for (Numbers* each : {&r_, &m_, &q_, &missing_, &weights_, &lever_}) each->resize(k);
+  for (Numbers* numbers : {&r_, &m_, &q_, &missing_, &weights_, &lever_}) numbers->resize(k);
   for (Index i = 0; i < k; ++i) {
     const Index source = active_[i];
     const double required = curved_(i, at + k), before = state.r[source];
@@ -178,19 +178,19 @@ double Newton::linearise(const Prescription& given, const Options& options, Stat
     load += weights_[i];
     moment += weights_[i] * lever_[i];
   }
-  off_ = balance(given, state.rigid, load, moment);
+  off_ = balance(prescribed, state.rigid, load, moment);
   return unbent;
 }
 
 /// Return target minus current approach or load, and tilt or moment; a tilt as the approach at the end.
-Pair Newton::balance(const Prescription& given, const Pair& rigid, double load, double moment) const {
-  return {given.by_force[0] ? given.target[0] - load : given.target[0] - rigid[0],
-          given.by_force[1] ? given.target[1] / half_ - moment : (given.target[1] - rigid[1]) * half_};
+Pair Newton::balance(const Prescription& prescribed, const Pair& rigid, double load, double moment) const {
+  return {prescribed.by_force[0] ? prescribed.target[0] - load : prescribed.target[0] - rigid[0],
+          prescribed.by_force[1] ? prescribed.target[1] / half_ - moment : (prescribed.target[1] - rigid[1]) * half_};
 }
 
 /// Solve the curvature rows for F = d r / d (r mu), mu being the relative changes of m, and for r itself.
 void Newton::solve_curvature() {
-  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+  const Index k = static_cast<Index>(active_.size()), at = padded_size(k);
   curved_.reset(k, k + 1);
   for (Index i = 0; i < k; ++i) {
     const Index source = active_[i];
@@ -207,7 +207,7 @@ void Newton::solve_curvature() {
 ///
 /// With v = r mu the gap rows are [A] m (missing + F v) + ([A] - [t A'] / 2) m v = sides.
 void Newton::find_directions() {
-  const Index k = static_cast<Index>(active_.size()), at = padded(k);
+  const Index k = static_cast<Index>(active_.size()), at = padded_size(k);
   step_.reset(k, 3);
   loaded_.resize(at, at);
   std::fill(loaded_.all().begin(), loaded_.all().end(), 0.0);
@@ -260,17 +260,17 @@ void Newton::border(State& state) {
 }
 
 /// Return the changes of approach and of tilt times half length that meet the prescribed pair.
-Pair Newton::rigid_step(const Prescription& given) const {
+Pair Newton::rigid_step(const Prescription& prescribed) const {
   double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
   auto [first, second] = off_;
   // A single strip has no stiffness against tilt, like a ball: a tiny addition to the diagonal keeps its tilt
   // unchanged.
   const double ridge = 1e-14 * std::fabs(response_[0][1]);
-  if (given.by_force[0]) {
+  if (prescribed.by_force[0]) {
     a = response_[0][1] + ridge, b = response_[0][2];
     first -= response_[0][0];
   }
-  if (given.by_force[1]) {
+  if (prescribed.by_force[1]) {
     c = response_[1][1], d = response_[1][2] + ridge;
     second -= response_[1][0];
   }
@@ -339,11 +339,11 @@ bool Newton::enter(double overlap, State& state) const {
 }
 
 /// Mark the strips that have left; return whether one that had left before is back.
-bool Newton::returned(const State& state) {
-  bool found = false;
-  for (Index i = 0; i < grid_.count(); ++i) found = found || (has_left_[i] && state.m[i] > 0.0);
+bool Newton::mark_departures(const State& state) {
+  bool any = false;
+  for (Index i = 0; i < grid_.count(); ++i) any = any || (has_left_[i] && state.m[i] > 0.0);
   for (Index i : active_) has_left_[i] = has_left_[i] || !(state.m[i] > 0.0);
-  return found;
+  return any;
 }
 
 /// Return m with m [A](m) = required, by Newton's method on a concave increasing function.
@@ -358,7 +358,7 @@ double Newton::own_width(double required, double width) const {
   return m;
 }
 
-double Newton::violation(const Prescription& given, State& state) {
+double Newton::violation(const Prescription& prescribed, State& state) {
   const Index n = grid_.count();
   influence_.keep_up(state.m);
   q_.resize(n), raised_.resize(n);
@@ -378,9 +378,9 @@ double Newton::violation(const Prescription& given, State& state) {
     load += carried;
     moment += carried * grid_.y[i];
   }
-  const Pair off = balance(given, state.rigid, load, moment / half_);
+  const Pair off = balance(prescribed, state.rigid, load, moment / half_);
   find_active(state);
-  return worse((worst - scales(state).noise) / deepest, imbalance(given, off, load));
+  return worse((worst - scales(state).noise) / deepest, imbalance(prescribed, off, load));
 }
 
 }  // namespace nonhertz

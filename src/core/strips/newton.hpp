@@ -34,11 +34,11 @@ class Newton {
   /// Solve from the r, m and rigid motion in `state`, and store the result there.
   ///
   /// A contact that follows stops as soon as load and moment are accurate, and is not checked.
-  void run(const Prescription& given, const Options& options, State& state);
+  void run(const Prescription& prescribed, const Options& options, State& state);
   /// K Q and K T of a contact that followed, including the last step's change: their errors are its square.
   const Pair& resultant() const { return resultant_; }
   /// Fill the gap everywhere and return the largest relative violation of contact and balance.
-  double violation(const Prescription& given, State& state);
+  double violation(const Prescription& prescribed, State& state);
 
  private:
   struct Weighed {
@@ -48,21 +48,21 @@ class Newton {
     double residual, step;
   };
 
-  void pair_lone_strip(const Prescription& given, State& state) const;
+  void pair_lone_strip(const Prescription& prescribed, State& state) const;
   void find_active(const State& state);
-  Weighed weigh(const Prescription& given, const Options& options, State& state);
-  double linearise(const Prescription& given, const Options& options, State& state);
+  Weighed weigh(const Prescription& prescribed, const Options& options, State& state);
+  double linearise(const Prescription& prescribed, const Options& options, State& state);
   void solve_curvature();
   void find_directions();
   void border(State& state);
-  Pair rigid_step(const Prescription& given) const;
+  Pair rigid_step(const Prescription& prescribed) const;
   void sum_up();
   double combine(const Pair& rigid);
   bool update(double relaxation, State& state) const;
   bool enter(double overlap, State& state) const;
-  bool returned(const State& state);
+  bool mark_departures(const State& state);
   Weighed scales(const State& state) const;
-  Pair balance(const Prescription& given, const Pair& rigid, double load, double moment) const;
+  Pair balance(const Prescription& prescribed, const Pair& rigid, double load, double moment) const;
   double own_width(double required, double width) const;
 
   const Grid& grid_;

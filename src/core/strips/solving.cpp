@@ -19,35 +19,35 @@ constexpr double RETRIED = 360.0;
 
 enum Start { BEFORE, NEAR, SPRINGS, TOGETHER, SHORTENED, RAISED, STARTS };
 
-bool within_reach(const Grid& grid, const Prescription& given) {
+bool within_reach(const Grid& grid, const Prescription& prescribed) {
   std::optional<Index> first, last;
   for (Index i = 0; i < grid.count(); ++i)
     if (std::isfinite(grid.separation[i])) last = i, first = first ? first : last;
-  if (!first || !given.both()) return first.has_value();
-  const double arm = given.target[1] / given.target[0];
+  if (!first || !prescribed.both()) return first.has_value();
+  const double arm = prescribed.target[1] / prescribed.target[0];
   return grid.y[*first] <= arm && arm <= grid.y[*last];
 }
 
 /// Run the loop from the present state, unless a body is thinner than its contact is wide.
-void run(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
+void run(Newton& loop, const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const Options& options,
          State& state) {
   std::fill(state.gap.begin(), state.gap.end(), 0.0);
   state.stiffness = {};
   state.status = Status::stagnated, state.steps = 0, state.residual = INFINITE;
-  if (!too_thin(grid, kernel, state.m, HOPELESS)) loop.run(given, options, state);
+  if (!too_thin(grid, kernel, state.m, HOPELESS)) loop.run(prescribed, options, state);
 }
 
 /// Run it from springs under a small load, which is raised in steps as large as possible.
 ///
 /// A state that converged only at a fraction of the load is not a solution and is not marked as one.
-void raise_load(Newton& loop, const Grid& grid, const Prescription& given, const Kernel& kernel, const Options& options,
-                State& state) {
+void raise_load(Newton& loop, const Grid& grid, const Prescription& prescribed, const Kernel& kernel,
+                const Options& options, State& state) {
   double reached = 0.0, share = 0.01;
   State last = state;
   for (int i = 0; i < RISES; ++i) {
-    Prescription part = given;
+    Prescription part = prescribed;
     for (int k = 0; k < 2; ++k)
-      if (given.by_force[k]) part.target[k] *= share;
+      if (prescribed.by_force[k]) part.target[k] *= share;
     if (reached > 0.0)
       state = last;
     else
@@ -73,18 +73,18 @@ bool too_thin(const Grid& grid, const Kernel& kernel, View m, double least) {
   return false;
 }
 
-State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt) {
+State solve_on(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const Attempt& attempt) {
   Newton loop(grid, kernel);
-  return solve_on(loop, given, attempt);
+  return solve_on(loop, prescribed, attempt);
 }
 
-State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt) {
+State solve_on(Newton& loop, const Prescription& prescribed, const Attempt& attempt) {
   const Grid& grid = loop.grid();
   const Kernel& kernel = loop.kernel();
   const Index n = grid.count();
   State best(n), trial(n);
   best.residual = INFINITE;
-  if (!within_reach(grid, given)) return best;
+  if (!within_reach(grid, prescribed)) return best;
   double spent = 0.0;
   for (int start = BEFORE; start < (attempt.patient ? STARTS : TOGETHER); ++start) {
     if (n > PATIENT_STRIPS && (spent > RETRIED || start == RAISED)) break;
@@ -93,20 +93,20 @@ State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt) 
       trial = *attempt.before;
     } else if (start == NEAR) {
       if (attempt.near == nullptr || !attempt.near->state.converged()) continue;
-      if (!start_from_other(*attempt.near, grid, given, trial)) continue;
+      if (!start_from_other(*attempt.near, grid, prescribed, trial)) continue;
     } else {
-      start_from_springs(grid, given, kernel, trial);
+      start_from_springs(grid, prescribed, kernel, trial);
       if (start >= SHORTENED && too_thin(grid, kernel, trial.m, BEYOND_HELP)) continue;
-      if (start == RAISED && !given.by_force[0]) continue;
+      if (start == RAISED && !prescribed.by_force[0]) continue;
     }
     Options options;
     options.tolerance = attempt.tolerance, options.eager = start != TOGETHER, options.stop = attempt.stop;
     if (start == SHORTENED) options.relaxation = 0.5;
     if (start == RAISED) {
       options.tolerance = TOLERANCE;
-      raise_load(loop, grid, given, kernel, options, trial);
+      raise_load(loop, grid, prescribed, kernel, options, trial);
     } else {
-      run(loop, grid, given, kernel, options, trial);
+      run(loop, grid, prescribed, kernel, options, trial);
     }
     const double of_patient = static_cast<double>(n) / PATIENT_STRIPS;
     spent += trial.steps * of_patient * of_patient * of_patient;

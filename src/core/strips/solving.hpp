@@ -21,8 +21,8 @@ struct Attempt {
   const Stop* stop = nullptr;  ///< checked before every step
 };
 
-State solve_on(Newton& loop, const Prescription& given, const Attempt& attempt);
-State solve_on(const Grid& grid, const Prescription& given, const Kernel& kernel, const Attempt& attempt);
+State solve_on(Newton& loop, const Prescription& prescribed, const Attempt& attempt);
+State solve_on(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, const Attempt& attempt);
 
 /// Return whether a body is less than `least` half-widths deep: then the equations have no meaningful solution.
 bool too_thin(const Grid& grid, const Kernel& kernel, View m, double least);

@@ -19,47 +19,47 @@ struct Bed {
     double approach, tilt;
   };
 
-  Motion balance(const Prescription& given) const {
-    double tilt = given.target[1], other = tilt;
-    if (given.by_force[1]) std::tie(tilt, other) = tilts(given);
-    double approach = approach_at(tilt, given);
+  Motion balance(const Prescription& prescribed) const {
+    double tilt = prescribed.target[1], other = tilt;
+    if (prescribed.by_force[1]) std::tie(tilt, other) = tilts(prescribed);
+    double approach = approach_at(tilt, prescribed);
     // Without contact the moment is also zero. For a nonzero target take the end of the bracket in contact.
     double deepest = -std::numeric_limits<double>::infinity();
     for (Index i = 0; i < count_of(y); ++i) deepest = std::max(deepest, approach + tilt * y[i] - height[i]);
-    if (given.target[1] != 0.0 && !(deepest > 0.0)) {
+    if (prescribed.target[1] != 0.0 && !(deepest > 0.0)) {
       tilt = other;
-      approach = approach_at(tilt, given);
+      approach = approach_at(tilt, prescribed);
     }
     return {approach, tilt};
   }
 
  private:
   /// Return the two ends of a short bracket around the tilt at which the moment is met.
-  std::pair<double, double> tilts(const Prescription& given) const {
-    double low = 0.0, excess = excess_moment(0.0, given);
+  std::pair<double, double> tilts(const Prescription& prescribed) const {
+    double low = 0.0, excess = excess_moment(0.0, prescribed);
     if (excess == 0.0) return {0.0, 0.0};
     double reach = 0.0, length = 0.0;
     for (Index i = 0; i < count_of(y); ++i) {
       reach = std::max(reach, std::fabs(y[i]));
       length += width[i];
     }
-    double step = std::fabs(given.target[0]) + std::fabs(given.target[1]) / reach;
-    if (given.by_force[0]) step /= stiffness * length;
-    double high = -std::copysign(step / reach, excess), over = excess_moment(high, given);
+    double step = std::fabs(prescribed.target[0]) + std::fabs(prescribed.target[1]) / reach;
+    if (prescribed.by_force[0]) step /= stiffness * length;
+    double high = -std::copysign(step / reach, excess), over = excess_moment(high, prescribed);
     for (int i = 0; i < 200 && !(over * excess <= 0.0); ++i) {
       low = high, excess = over, high *= 2.0;
-      over = excess_moment(high, given);
+      over = excess_moment(high, prescribed);
     }
     constexpr int SECANTS = 30;
     // False position (Illinois variant): halve the value at an end that does not move.
     for (int i = 0; i < SECANTS; ++i) {
       if (over == 0.0 || std::fabs(high - low) <= 1e-10 * (std::fabs(high) + std::fabs(low))) break;
-      const double middle = high - over * (high - low) / (over - excess), found = excess_moment(middle, given);
-      if (found * over < 0.0)
+      const double middle = high - over * (high - low) / (over - excess), rest = excess_moment(middle, prescribed);
+      if (rest * over < 0.0)
         low = high, excess = over;
       else
         excess *= 0.5;
-      high = middle, over = found;
+      high = middle, over = rest;
     }
     return {high, low};
   }
@@ -68,11 +68,11 @@ struct Bed {
   ///
   /// With all springs acting, some in tension, the approach is too large. Dropping those in tension lowers it, and so
   /// on down to the exact answer.
-  double approach_at(double tilt, const Prescription& given) const {
-    if (!given.by_force[0]) return given.target[0];
+  double approach_at(double tilt, const Prescription& prescribed) const {
+    if (!prescribed.by_force[0]) return prescribed.target[0];
     double approach = std::numeric_limits<double>::infinity();
     for (Index i = 0; i <= count_of(y); ++i) {
-      double carried = given.target[0], bearing = 0.0;
+      double carried = prescribed.target[0], bearing = 0.0;
       for (Index k = 0; k < count_of(y); ++k) {
         const double above = height[k] - tilt * y[k];
         if (above < approach) {
@@ -87,17 +87,17 @@ struct Bed {
     return approach;
   }
 
-  double excess_moment(double tilt, const Prescription& given) const {
-    const double approach = approach_at(tilt, given);
+  double excess_moment(double tilt, const Prescription& prescribed) const {
+    const double approach = approach_at(tilt, prescribed);
     double moment = 0.0;
     for (Index i = 0; i < count_of(y); ++i)
       moment += width[i] * y[i] * std::max(approach + tilt * y[i] - height[i], 0.0);
-    return stiffness * moment - given.target[1];
+    return stiffness * moment - prescribed.target[1];
   }
 };
 
 /// Return the value at `at` on the straight line between two neighbours, constant beyond both.
-double between(View y, View values, Index left, Index right, double at) {
+double interpolate(View y, View values, Index left, Index right, double at) {
   if (at <= y[left] || left == right) return values[left];
   if (at >= y[right]) return values[right];
   return values[left] + (at - y[left]) / (y[right] - y[left]) * (values[right] - values[left]);
@@ -117,9 +117,9 @@ void continue_past_ends(View y, View m, Index step, Row extended) {
 
 }  // namespace
 
-void start_from_springs(const Grid& grid, const Prescription& given, const Kernel& kernel, State& state) {
+void start_from_springs(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, State& state) {
   // Mirrored if the moment is negative, so that two mirrored cases start identically to the last bit.
-  const double side = given.by_force[1] && given.target[1] < 0.0 ? -1.0 : 1.0;
+  const double side = prescribed.by_force[1] && prescribed.target[1] < 0.0 ? -1.0 : 1.0;
   const Index n = grid.count();
   double half = 0.0;
   for (Index i = 0; i < n; ++i) {
@@ -137,7 +137,7 @@ void start_from_springs(const Grid& grid, const Prescription& given, const Kerne
     bed.height.push_back(grid.separation[i]);
   }
   if (bed.y.empty()) return;
-  const Prescription turned{given.by_force, {given.target[0], side * given.target[1]}};
+  const Prescription turned{prescribed.by_force, {prescribed.target[0], side * prescribed.target[1]}};
   // One logarithm for the whole contact, from its largest half-width.
   double largest = 0.05 * half;
   for (int i = 0; i < 3; ++i) {
@@ -154,7 +154,7 @@ void start_from_springs(const Grid& grid, const Prescription& given, const Kerne
   }
 }
 
-bool start_from_other(const Level& other, const Grid& grid, const Prescription& given, State& state) {
+bool start_from_other(const Level& other, const Grid& grid, const Prescription& prescribed, State& state) {
   const Numbers& near_y = other.grid->y;
   const State& near = other.state;
   // m passes linearly through zero where the contact ends: the first idle strip gets the value that continues the line,
@@ -166,18 +166,18 @@ bool start_from_other(const Level& other, const Grid& grid, const Prescription& 
     if (near.m[i] > 0.0) bearing.push_back(i);
   const Index last = count_of(near_y) - 1, last_bearing = static_cast<Index>(bearing.size()) - 1;
   bool any_touches = false;
-  Index left = 0, left_bearing = 0;
+  Index behind = 0, behind_bearing = 0;
   for (Index i = 0; i < grid.count(); ++i) {
     const double y = grid.y[i];
-    while (left + 1 < last && near_y[left + 1] <= y) ++left;
-    while (left_bearing + 1 < last_bearing && near_y[bearing[left_bearing + 1]] <= y) ++left_bearing;
-    const double m = between(near_y, extended, left, std::min(left + 1, last), y);
-    const Index beside = bearing[std::min(left_bearing + 1, last_bearing)];
-    state.r[i] = between(near_y, near.r, bearing[left_bearing], beside, y);
+    while (behind + 1 < last && near_y[behind + 1] <= y) ++behind;
+    while (behind_bearing + 1 < last_bearing && near_y[bearing[behind_bearing + 1]] <= y) ++behind_bearing;
+    const double m = interpolate(near_y, extended, behind, std::min(behind + 1, last), y);
+    const Index beside = bearing[std::min(behind_bearing + 1, last_bearing)];
+    state.r[i] = interpolate(near_y, near.r, bearing[behind_bearing], beside, y);
     state.m[i] = m > 0.0 && std::isfinite(grid.separation[i]) ? m : 0.0;
     any_touches = any_touches || state.m[i] > 0.0;
   }
-  for (int k = 0; k < 2; ++k) state.rigid[k] = given.by_force[k] ? near.rigid[k] : given.target[k];
+  for (int k = 0; k < 2; ++k) state.rigid[k] = prescribed.by_force[k] ? near.rigid[k] : prescribed.target[k];
   return any_touches;
 }
 

@@ -7,9 +7,9 @@
 namespace nonhertz {
 
 /// Fill in r, m and the rigid motion of independent springs (a Winkler foundation).
-void start_from_springs(const Grid& grid, const Prescription& given, const Kernel& kernel, State& state);
+void start_from_springs(const Grid& grid, const Prescription& prescribed, const Kernel& kernel, State& state);
 
 /// Fill in r, m and the rigid motion from a solution on other strips; return whether any strip is in contact.
-bool start_from_other(const Level& other, const Grid& grid, const Prescription& given, State& state);
+bool start_from_other(const Level& other, const Grid& grid, const Prescription& prescribed, State& state);
 
 }  // namespace nonhertz

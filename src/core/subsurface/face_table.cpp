@@ -10,17 +10,17 @@ namespace {
 
 /// The four cubic splines that are nonzero between a knot and the next, at x.
 std::array<double, 4> cubic_splines(double x, const double* knot) {
-  std::array<double, 4> found{1.0};
+  std::array<double, 4> splines{1.0};
   for (int degree = 1; degree <= 3; ++degree) {
     double carried = 0.0;
     for (int k = 0; k < degree; ++k) {
-      const double right = knot[k + 1], left = knot[k + 1 - degree], share = found[k] / (right - left);
-      found[k] = carried + (right - x) * share;
+      const double right = knot[k + 1], left = knot[k + 1 - degree], share = splines[k] / (right - left);
+      splines[k] = carried + (right - x) * share;
       carried = (x - left) * share;
     }
-    found[degree] = carried;
+    splines[degree] = carried;
   }
-  return found;
+  return splines;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ std::array<double, 4> cubic_splines(double x, const double* knot) {
 Matrix at_nodes(const LoadPanels& panels, View k, View edges, const Matrix& steps) {
   const Index count = count_of(panels.edges) - 1, nodes = count_of(panels.weights);
   const double last = panels.edges[count];
-  Matrix found(count_of(k), count * nodes), integrals(count, nodes);
+  Matrix loads(count_of(k), count * nodes), integrals(count, nodes);
   Numbers polynomials(nodes + 1), up_to(count);
   for (Index m = 0; m < count_of(k); ++m) {
     std::ranges::fill(integrals.all(), 0.0);
@@ -57,22 +57,22 @@ Matrix at_nodes(const LoadPanels& panels, View k, View edges, const Matrix& step
       for (Index j = 0; j < nodes; ++j) {
         double sum = beyond * half * panels.weights[j];
         for (Index n = 0; n < nodes; ++n) sum += integrals(panel, n) * panels.to_nodes(n, j);
-        found(m, panel * nodes + j) = sum;
+        loads(m, panel * nodes + j) = sum;
       }
       beyond += up_to[panel];
     }
   }
-  return found;
+  return loads;
 }
 
 Matrix between_distances(View knots, View log_k, View log_r, const Matrix& coefficients) {
   const Index splines = count_of(knots) - 4, columns = coefficients.columns() / splines;
   const double first = knots[3], last = knots[splines];
-  Matrix found(count_of(log_k) * count_of(log_r), columns);
+  Matrix table(count_of(log_k) * count_of(log_r), columns);
   for (Index m = 0; m < count_of(log_k); ++m) {
     Index at = 3;
     for (Index r = 0; r < count_of(log_r); ++r) {
-      const Row values = found[m * count_of(log_r) + r];
+      const Row values = table[m * count_of(log_r) + r];
       std::ranges::fill(values, 0.0);
       const double x = std::max(log_k[m] + log_r[r], first);
       if (x > last) continue;
@@ -84,7 +84,7 @@ Matrix between_distances(View knots, View log_k, View log_r, const Matrix& coeff
       }
     }
   }
-  return found;
+  return table;
 }
 
 }  // namespace nonhertz

@@ -31,12 +31,13 @@ Range rows_within(double x, double y, double z, const Panels& panels, Index pane
 }
 
 /// Divide the load for one point. `left` is a buffer for the rows that each panel has to handle.
-void divide(double x, double y, double z, const Panels& panels, std::vector<Range>& left, std::vector<Piece>& pieces) {
+void divide(double x, double y, double z, const Panels& panels, std::vector<Range>& remaining,
+            std::vector<Piece>& pieces) {
   const Index total = std::ssize(panels.half);
-  left = panels.rows;
+  remaining = panels.rows;
   pieces.clear();
   for (Index panel = 0; panel < total; ++panel) {
-    auto [first, end] = left[panel];
+    auto [first, end] = remaining[panel];
     for (Index rule = 0; rule < panels.ellipses.rows() && first < end; ++rule) {
       auto [near, far] = rows_within(x, y, z, panels, panel, rule);
       near = std::max(near, first), far = std::min(far, end);
@@ -47,7 +48,7 @@ void divide(double x, double y, double z, const Panels& panels, std::vector<Rang
     }
     if (2 * panel + 2 < total)
       for (Index below : {2 * panel + 1, 2 * panel + 2})
-        left[below] = {std::max(left[below].first, first), std::min(left[below].end, end)};
+        remaining[below] = {std::max(remaining[below].first, first), std::min(remaining[below].end, end)};
     else if (first < end)
       pieces.push_back({panel, EXACT, {first, end}});
   }
@@ -209,14 +210,14 @@ void add_cells(double x, double y, double z, double poisson, const Panels& panel
 
 template <class Kind>
 void add_up(const Panels& panels, double poisson, View points, Row out) {
-  std::vector<Range> left;
+  std::vector<Range> remaining;
   std::vector<Piece> pieces;
   for (Index i = 0; i < count_of(points) / 3; ++i) {
     // A negative zero would put the arctangents on the other branch.
     const double x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2] + 0.0;
     const Row at_point = out.subspan(6 * i, 6);
     std::ranges::fill(at_point, 0.0);
-    divide(x, y, z, panels, left, pieces);
+    divide(x, y, z, panels, remaining, pieces);
     for (const Piece& piece : pieces)
       (piece.rule == EXACT ? add_cells<Kind> : add_lines<Kind>)(x, y, z, poisson, panels, piece, at_point);
   }

@@ -27,7 +27,7 @@ void add_in_turn(const double (&waiting)[6][ROOM], int count, Six<double>& total
 
 /// A function of each number of a pack.
 template <class Function>
-Pack each(Function function, Pack x) {
+Pack map(Function function, Pack x) {
   for (int k = 0; k < WIDTH; ++k) x[k] = function(x[k]);
   return x;
 }
@@ -36,10 +36,10 @@ inline double root_of(double x) { return std::sqrt(x); }
 inline double log_of(double x) { return std::log(x); }
 inline double angle_of(double y, double x) { return std::atan2(y, x); }
 inline Pack root_of(Pack x) {
-  return each([](double of) { return std::sqrt(of); }, x);
+  return map([](double of) { return std::sqrt(of); }, x);
 }
 inline Pack log_of(Pack x) {
-  return each([](double of) { return std::log(of); }, x);
+  return map([](double of) { return std::log(of); }, x);
 }
 inline Pack angle_of(Pack y, Pack x) {
   for (int k = 0; k < WIDTH; ++k) y[k] = std::atan2(y[k], x[k]);

@@ -90,7 +90,7 @@ const Sides& sides(double low, double high) {
 }
 
 /// The indices that represent strip j: a distant strip itself, pieces of a near one.
-std::pair<Index, Index> counted(Index j, double y, const Lamination& strips) {
+std::pair<Index, Index> pieces_of(Index j, double y, const Lamination& strips) {
   const double low = strips.low[j], high = strips.high[j], apart = std::max(low - y, y - high);
   if (apart > FAR * strips.half_width[j] && apart > FAR_IN_LENGTHS * (high - low)) return {j, j + 1};
   return {strips.first[j], strips.first[j + 1]};
@@ -256,7 +256,7 @@ void add_up(const Lamination& strips, double poisson, View points, Row out) {
         sum.add(x - a * rules.nodes[k], q * rules.weights[k], Y1, Y2);
     };
     for (Index j = 0; j + 1 < std::ssize(strips.first); ++j) {
-      const auto [begin, end] = counted(j, y, strips);
+      const auto [begin, end] = pieces_of(j, y, strips);
       for (Index p = begin; p < end; p += WIDTH) {
         const Index count = std::min<Index>(WIDTH, end - p);
         const auto of = [p, count](const Numbers& values) { return load_some(&values[p], count); };

@@ -17,24 +17,24 @@ void polynomials(double x, Numbers& out) {
 /// The stress of point loads on a half-space, seen from the opposite side.
 Six<double> opposite(const Wall& wall, double poisson, double x, double y, double z) {
   const double lateral = 1.0 - 2.0 * poisson;
-  Six<double> found{};
+  Six<double> stress{};
   for (std::size_t k = 0; k < wall.places.size(); ++k) {
     const double Y = y - wall.places[k], force = wall.forces[k] / TWO_PI;
     const double R = std::sqrt(x * x + Y * Y + z * z), cube = R * R * R, fifth = 3.0 * z / (cube * R * R);
     const double g = 1.0 / (R * (R + z)), w = (2.0 * R + z) / (cube * (R + z) * (R + z));
-    found[0] += force * (lateral * (g - w * Y * Y) - fifth * x * x);
-    found[1] += force * (lateral * (g - w * x * x) - fifth * Y * Y);
-    found[2] -= force * fifth * z * z;
-    found[3] += force * fifth * Y * z;
-    found[4] -= force * fifth * x * z;
-    found[5] -= force * (lateral * w - fifth) * x * Y;
+    stress[0] += force * (lateral * (g - w * Y * Y) - fifth * x * x);
+    stress[1] += force * (lateral * (g - w * x * x) - fifth * Y * Y);
+    stress[2] -= force * fifth * z * z;
+    stress[3] += force * fifth * Y * z;
+    stress[4] -= force * fifth * x * z;
+    stress[5] -= force * (lateral * w - fifth) * x * Y;
   }
-  return found;
+  return stress;
 }
 
 /// The polar stress of all modes: rr, tt, yy, rt, ry, ty.
-Six<double> bending(const Wall& wall, double theta, const Numbers& by_radius, const Numbers& by_place) {
-  Six<double> found{};
+Six<double> bending_stress(const Wall& wall, double theta, const Numbers& by_radius, const Numbers& by_place) {
+  Six<double> stress{};
   const double* mode = wall.modes.data();
   for (Index n = 0; n < wall.waves; ++n) {
     const double cosine = std::cos(2.0 * n * theta), sine = std::sin(2.0 * n * theta);
@@ -42,10 +42,10 @@ Six<double> bending(const Wall& wall, double theta, const Numbers& by_radius, co
       double amplitude = 0.0;
       for (Index p = 0; p < wall.through; ++p)
         for (Index q = 0; q < wall.along; ++q) amplitude += by_radius[p] * by_place[q] * *mode++;
-      found[c] += amplitude * (c == 3 || c == 5 ? sine : cosine);
+      stress[c] += amplitude * (c == 3 || c == 5 ? sine : cosine);
     }
   }
-  return found;
+  return stress;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void add_wall(const Wall& wall, double poisson, View points, View along, View ou
     polynomials(2.0 * share / wall.top - 1.0, by_radius);
     polynomials(along[i], by_place);
     const double theta = std::atan2(x, z), cosine = std::cos(theta), sine = std::sin(theta);
-    const auto [rr, tt, yy, rt, ry, ty] = bending(wall, theta, by_radius, by_place);
+    const auto [rr, tt, yy, rt, ry, ty] = bending_stress(wall, theta, by_radius, by_place);
     total[0] += rr * sine * sine + tt * cosine * cosine + 2.0 * rt * sine * cosine;
     total[1] += yy;
     total[2] += rr * cosine * cosine + tt * sine * sine - 2.0 * rt * sine * cosine;

@@ -174,7 +174,7 @@ class EdgeSolution:
         """Solve the integral equation."""
         panels, y, _, brought, operator = corner_operator(poisson)
         # In the core, where the last digits do not depend on the number of threads: the result is stored on disk.
-        beyond = core.product(operator, core.solved(np.eye(y.size) - core.product(operator, operator), brought))
+        beyond = core.product(operator, core.solve_dense(np.eye(y.size) - core.product(operator, operator), brought))
         values = 2.0 * core.product(_displacement_matrix(), beyond)
         # Symmetrised by reciprocity; the difference is error.
         return cls(panels, 0.5 * (values + values.T))

@@ -84,7 +84,7 @@ def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[
     First those of the strips, then those between neighbours; zero where they do not count. If pressures are equal up to
     rounding, such as maxima that mirror each other, the one with the smallest y is taken.
     """
-    return core.counted(y, pressure, half_width, ends)
+    return core.values_that_count(y, pressure, half_width, ends)
 
 
 def places_of_largest(solution: Solved) -> tuple[float, ...]:

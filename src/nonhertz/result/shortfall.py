@@ -14,7 +14,7 @@ def shortfall(problem: Problem, result: core.Result) -> str | None:
     if not result.is_steady:
         return "The stiffness of the state reached is negative or not finite: the equilibrium is unstable."
     unmet, compliance = result.shortfall, problem.contact.compliance
-    condition, value = unmet.condition, unmet.found
+    condition, value = unmet.condition, unmet.value
     if condition is core.Unmet.NONE:
         return None
     if condition in _PRESCRIBED:

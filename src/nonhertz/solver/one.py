@@ -166,7 +166,7 @@ def bound_contact(problem: Problem) -> tuple[float, float]:
         If the contact is unbounded, or the prescribed values cannot be met.
     """
     try:
-        low, high = core.bounded(problem.model.in_core, problem.by_force, problem.target)
+        low, high = core.bound_contact(problem.model.in_core, problem.by_force, problem.target)
     except core.Refused as refused:
         raise refusal(problem, refused) from None
     return low, high
