@@ -232,7 +232,7 @@ def shown(value: object) -> str:
     ('20.0', '(0.3, 1)', "'5 mm'")
     """
     try:
-        text = repr(_rounded(value))
+        text = repr(_round(value))
     except ValueError:  # Python refuses to print integers of thousands of digits
         text = f"<{type(value).__name__} too long to show>"
     return text if len(text) <= 60 else text[:57] + "..."
@@ -273,10 +273,10 @@ def _inside(place: str, field: str) -> str:
     return f"{place}{'.' if field and field[0] not in '[,' else ''}{field}"
 
 
-def _rounded(value: object) -> object:
+def _round(value: object) -> object:
     if hasattr(value, "item") and not hasattr(value, "__len__"):
         value = value.item()
     if type(value) is float:
         return float(f"{value:.12g}")
     # Only the beginning of a longer one is shown.
-    return type(value)(map(_rounded, value[:60])) if type(value) in (list, tuple) else value  # type: ignore[index,call-arg]
+    return type(value)(map(_round, value[:60])) if type(value) in (list, tuple) else value  # type: ignore[index,call-arg]

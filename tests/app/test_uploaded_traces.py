@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 import nonhertz as nh
 from nonhertz.measured import Trace
 from nonhertz.web.limits import UPLOAD_POINTS
-from nonhertz.web.view.uploads import MOST_POINTS, _averaged, answer_to_file
+from nonhertz.web.view.uploads import MOST_POINTS, _average, answer_to_file
 
 
 def test_no_mean_is_taken_over_a_gap():
@@ -18,7 +18,7 @@ def test_no_mean_is_taken_over_a_gap():
     before = before[: len(before) // 2 * 2 - 1]
     behind = y[y > 6.0]
     y = np.concatenate([before, behind])
-    found = _averaged(Trace(y, np.zeros(len(y)), ((before[-1], behind[0]),)))
+    found = _average(Trace(y, np.zeros(len(y)), ((before[-1], behind[0]),)))
     assert len(y) // 2 <= len(found) <= len(y) // 2 + 2
     assert not np.any((found.y > before[-1]) & (found.y < behind[0]))
 

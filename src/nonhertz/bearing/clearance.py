@@ -179,7 +179,7 @@ class Mounting(Input):
             expansion of a warm part or the density of a turning part is neither given nor known.
         """
         mounting, row = self.at(bearing, clearance)
-        return mounting._operating(row, speed)
+        return mounting._solve_operating(row, speed)
 
     def ranges(self, bearing: RollerBearing, speed: float = 0.0) -> ClearanceRanges:
         """Return the limits of interferences and clearance of a row by their classes.
@@ -213,7 +213,7 @@ class Mounting(Input):
             operating=Range(least.clearance, likely.clearance, greatest.clearance, operating),
         )
 
-    def _operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
+    def _solve_operating(self, bearing: RollerBearing, speed: float) -> OperatingClearance:
         """Return the operating clearance from clearance and fits that are numbers."""
         unmounted = bearing.clearance_range.likely * _radial(bearing)
         not_negative("speed", speed, "give that of the inner ring in 1/min")

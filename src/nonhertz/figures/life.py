@@ -59,7 +59,7 @@ def life_densities(
     lows, highs = np.transpose([axial_range(solution) for solution, _ in spectrum])
     along = Axis("Axial position y", "y", "mm", range=(float(lows.min()), float(highs.max())))
     caption = "Fatigue along the contact: damage per length over its mean under the ideal pressure."
-    return Figure(along, panels, _solved(spectrum), caption)
+    return Figure(along, panels, _solutions_of(spectrum), caption)
 
 
 def _range(lives: Iterable[Life]) -> Range:
@@ -123,7 +123,7 @@ def _alike(*cases: Mapping[BodyName, Sequence[Life]]) -> bool:
     return all(np.allclose(a, b, rtol=ALIKE, atol=0.0, equal_nan=True) for a, b in pairs)
 
 
-def _solved(spectrum: Spectrum) -> str:
+def _solutions_of(spectrum: Spectrum) -> str:
     """Return what was solved."""
     if len(spectrum) == 1:
         return conditions(spectrum[0][0])

@@ -63,14 +63,14 @@ def _step(before: StepResult, after: StepResult) -> Panel:
     heights, cut = _range_of(before, after)
     marks: list[Mark] = [
         *_ends(after),
-        Line(*_thinned(before.y, before.height), name="before", colour="faint", thin=True),
-        Line(*_thinned(after.y, after.height), name="after", thin=True),
+        Line(*_thin(before.y, before.height), name="before", colour="faint", thin=True),
+        Line(*_thin(after.y, after.height), name="after", thin=True),
     ]
     if after.name == "align":
         marks.append(Across(0.0, colour="second", dash="dashed"))
     if after.removed is not None and after.removed[0].size:
         look: dict[str, Any] = {"symbol": "dot"} if after.name == "trim" else {}
-        marks.append(Dots(*_thinned(*after.removed), name="removed", colour="second", **look))
+        marks.append(Dots(*_thin(*after.removed), name="removed", colour="second", **look))
     axis = Axis("Height", "height", "mm", _read(heights), heights, cut=bool(cut))
     description = f"Heights before and after the step {after.name}. {after.words}"
     along = _along(min(before.y[0], after.y[0]), max(before.y[-1], after.y[-1]))
@@ -118,7 +118,7 @@ def _roughness(after: StepResult) -> Iterator[Panel]:
     on_land = after.removed_height[~np.logical_or(*after.points.beyond_land)]
     heights = _about_zero(on_land)
     axis = Axis("Removed", "removed", "mm", _read(heights), heights, cut=True)
-    marks = [*_ends(after), Line(*_thinned(after.y, after.removed_height), colour="second", thin=True)]
+    marks = [*_ends(after), Line(*_thin(after.y, after.removed_height), colour="second", thin=True)]
     description = f"Heights that smoothing removed, on the land {um(after.numbers['rms']):.3g} root mean square."
     yield _panel("roughness", "Roughness removed", axis, marks, description, _along(after.y[0], after.y[-1]))
 
@@ -130,10 +130,10 @@ def _relief(measured: Measured, fit: ProfileFit | None) -> Panel:
     below = ROOM if points.land is None else ROOM_BELOW
     depths = (max((1.0 + below) * deepest, FLAT), -max(ROOM * deepest, FLAT))
     axis = Axis("Relief", "relief", "mm", _read(depths), depths, cut=points.land is not None)
-    marks: list[Mark] = [*_ends(last), Line(*_thinned(points.y, measured.relief), name="measured", thin=True)]
+    marks: list[Mark] = [*_ends(last), Line(*_thin(points.y, measured.relief), name="measured", thin=True)]
     words = [last.words.rstrip(".")] if last.name == "thin" else []
     if fit is not None:
-        marks.append(Line(*_thinned(land.y, fit.relief(land.y)), name=fit.kind, colour="second", dash="dashed"))
+        marks.append(Line(*_thin(land.y, fit.relief(land.y)), name=fit.kind, colour="second", dash="dashed"))
         words += [f"{name} {amount(value, fit.unit_of(name)):.5g}" for name, value in fit.parameters.items()]
     description = f"Relief of {len(points)} points, on the land up to {um(deepest):.3g}."
     return _panel("profile", "Relief", axis, marks, description, _along(points.y[0], points.y[-1]), *words)
@@ -147,7 +147,7 @@ def _residual(measured: Measured, fit: ProfileFit | None) -> Iterator[Panel]:
     residual = points.height.max() - land.height - fit.relief(land.y)
     heights = _about_zero(residual)
     axis = Axis("Residual", "residual", "mm", _read(heights), heights)
-    marks = [Level(0.0, colour="faint"), Line(*_thinned(land.y, residual), thin=True)]
+    marks = [Level(0.0, colour="faint"), Line(*_thin(land.y, residual), thin=True)]
     words = f"{um(fit.rms):.2g} root mean square of the points before smoothing"
     along = _along(points.y[0], points.y[-1])
     yield _panel("residual", f"Relief less {fit.kind}", axis, marks, f"Relief less {fit.kind}: {words}.", along, words)
@@ -167,7 +167,7 @@ def _corners(measured: Measured) -> Iterator[Panel]:
         relief = measured.relief[inside]
         room = max(ROOM * float(np.ptp(relief)), FLAT)
         axis = Axis("Relief", "relief", "mm", "um", (float(relief.max()) + room, float(relief.min()) - room))
-        dots = _thinned(rough.y[before], highest - rough.height[before])
+        dots = _thin(rough.y[before], highest - rough.height[before])
         marks = [
             *_ends(measured.states[-1]),
             Dots(*dots, "dot", name="before smoothing", colour="faint"),
@@ -200,7 +200,7 @@ def _read(heights: Range) -> str:
     return "" if height > MILLIMETRES_FROM else "um" if height > MICROMETRES_FROM else "nm"
 
 
-def _thinned(y: Array, height: Array) -> tuple[Array, Array]:
+def _thin(y: Array, height: Array) -> tuple[Array, Array]:
     """Return a line as it is drawn: all points, or the lowest and highest in each of many columns."""
     if len(y) <= 2 * COLUMNS:
         return y, height

@@ -70,7 +70,7 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     place = solution.place_of(number)
     among = next(row for row in solution.bearing.rows if number < row.rollers.stop)
     half = 0.5 * among.bearing.roller_length
-    by = {ring: _loaded(solution, number, ring, laminae) for ring in RINGS}
+    by = {ring: _find_line_load(solution, number, ring, laminae) for ring in RINGS}
     loaded = {ring: line for ring, line in by.items() if line}
     ends = [Across(end, colour="faint", dash="dotted") for end in (-half, half)]
     idle: list[Mark] = [] if loaded else [Words(0.0, 0.5, "no load", colour="faint")]
@@ -84,7 +84,7 @@ def roller_lines(solution: BearingSolution, roller: int | None = None, laminae: 
     return Figure(along, panels, f"{what}; {conditions(solution)}", caption)
 
 
-def _loaded(solution: BearingSolution, roller: int, ring: str, laminae: int) -> _Loaded | None:
+def _find_line_load(solution: BearingSolution, roller: int, ring: str, laminae: int) -> _Loaded | None:
     """Return the line load of a roller at a ring; None if it is not loaded."""
     if solution.method == "strips":
         contact = solution.contact(roller, ring)

@@ -117,7 +117,7 @@ class Cells(Mark):
     def numbers(self) -> tuple[Array, ...]:
         """The middles of all cells."""
         x, y = (0.5 * (edges[1:] + edges[:-1]) for edges in (self.x, self.y))
-        return _listed(x, y, self.values)
+        return _list_grid(x, y, self.values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,7 +131,7 @@ class Contours(Mark):
     @property
     def numbers(self) -> tuple[Array, ...]:
         """All places."""
-        return _listed(self.x, self.y, self.values)
+        return _list_grid(self.x, self.y, self.values)
 
 
 @dataclass(frozen=True, eq=False)
@@ -428,7 +428,7 @@ class Figure:
         return sent
 
 
-def _listed(x: Array, y: Array, values: Array) -> tuple[Array, ...]:
+def _list_grid(x: Array, y: Array, values: Array) -> tuple[Array, ...]:
     """Return a grid of values as a list of both places and a value each."""
     along, upright = np.meshgrid(x, y, indexing="ij")
     return along.ravel(), upright.ravel(), values.ravel()

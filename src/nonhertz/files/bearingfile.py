@@ -315,7 +315,7 @@ class BearingCase(CaseBase):
         if ranges.known:
             return None
         if solution.method not in self.at_limits:
-            ends = (self.at(end)._attempted(solution.method) for end in ("least", "greatest"))
+            ends = (self.at(end)._attempt(solution.method) for end in ("least", "greatest"))
             self.at_limits[solution.method] = [numbers_of(*attempt) for attempt in ends]
         least, greatest = self.at_limits[solution.method]
         return Tolerances.of(ranges, least, numbers_of(solution, life), greatest)
@@ -325,7 +325,7 @@ class BearingCase(CaseBase):
         """Numbers at the least and the greatest clearance that have been computed so far, by method."""
         return {}
 
-    def _attempted(self, method: str) -> tuple[BearingSolution | None, BearingLife | None]:
+    def _attempt(self, method: str) -> tuple[BearingSolution | None, BearingLife | None]:
         """Return the loaded bearing and its life; None for what cannot be computed."""
         with without_accuracy_warnings():
             try:

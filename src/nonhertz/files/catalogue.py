@@ -118,13 +118,13 @@ def guessed_document(guess: CatalogueGuess) -> dict[str, Any]:
             body["profile"] = [{"kind": profile["kind"]} for profile in body["profile"]]
         document[name] = body
     tables = {name: document[name] for name in ("title", "bearing", "roller", "inner", "outer", "load")}
-    rounded: dict[str, Any] = _rounded(tables | {"life": {"dynamic": guess.dynamic, "static": guess.static}})
+    rounded: dict[str, Any] = _round(tables | {"life": {"dynamic": guess.dynamic, "static": guess.static}})
     return rounded
 
 
-def _rounded(value: Any) -> Any:
+def _round(value: Any) -> Any:
     if isinstance(value, Mapping):
-        return {name: _rounded(entry) for name, entry in value.items()}
+        return {name: _round(entry) for name, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_rounded(entry) for entry in value]
+        return [_round(entry) for entry in value]
     return float(f"{value:.{_DIGITS}g}") if isinstance(value, float) else value

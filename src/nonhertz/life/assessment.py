@@ -202,7 +202,7 @@ def assess(
     chosen = _choose_models(models)
     spectrum = _spectrum(solution)
     ring, why = raceway(spectrum[0][0].contact, contact_angle=contact_angle)
-    bearing = _Bearing(ring, why, _checked_rollers(rollers, ring), body)
+    bearing = _Bearing(ring, why, _check_rollers(rollers, ring), body)
     exposures: list[Exposure] = []
     if any(isinstance(member, VolumeModel) for member in chosen):
         exposures = [exposure(solution, body=body, **options) for solution, _ in spectrum]
@@ -218,7 +218,7 @@ class _Bearing(NamedTuple):
     body: BodyName
 
 
-def _checked_rollers(rollers: int | None, ring: Raceway | None) -> int | None:
+def _check_rollers(rollers: int | None, ring: Raceway | None) -> int | None:
     if rollers is None:
         return None
     rollers = whole("rollers", rollers, 1, math.inf, _ROLLERS_REMEDY)

@@ -114,12 +114,12 @@ class Raceway(Input):
         >>> round(Raceway(10.0, 9.6, 65.0, True).load_rating(14), 1)
         48416.8
         """
-        rollers = self._checked(rollers)
+        rollers = self._check_rollers(rollers)
         gamma, ratio = self._gamma, self._ratio
         of_geometry = gamma ** (2 / 9) * (1.0 - gamma) ** (29 / 27) / (1.0 + gamma) ** 0.25
         both_rings = (1.0 + (1.04 * ratio ** (143 / 108)) ** 4.5) ** (-2 / 9)
         factor = 551.13373 * 0.377 * REDUCTION * of_geometry * both_rings
-        length = _checked_rows(rows) * self.length * math.cos(self.contact_angle)
+        length = _check_rows(rows) * self.length * math.cos(self.contact_angle)
         quality = MATERIAL_FACTOR if material_factor is None else material_factor
         positive("material_factor", quality, "give b_m, 1.1 for cylindrical and tapered rollers")
         of_size = length**_LENGTH_EXPONENT * rollers**0.75 * self.roller_diameter**_DIAMETER_EXPONENT
@@ -139,7 +139,7 @@ class Raceway(Input):
         >>> round(inner.capacity(14), 1), round(outer.capacity(14), 1)
         (11449.6, 17271.6)
         """
-        rollers = self._checked(rollers)
+        rollers = self._check_rollers(rollers)
         return self.capacity_of(self.load_rating(rollers), rollers)
 
     def capacity_of(self, load_rating: float, rollers: int, *, rows: int = 1) -> float:
@@ -151,10 +151,10 @@ class Raceway(Input):
         14150.0
         """
         positive("load_rating", load_rating, "give the basic dynamic radial load rating in N")
-        rollers = self._checked(rollers)
+        rollers = self._check_rollers(rollers)
         other = (1.038 * self._ratio ** (143 / 108)) ** 4.5
         share = 0.378 * (1.0 + other) ** (-2 / 9) if self.inner else 0.364 * (1.0 + 1.0 / other) ** (-2 / 9)
-        of_rows = _checked_rows(rows) ** _LENGTH_EXPONENT * rollers
+        of_rows = _check_rows(rows) ** _LENGTH_EXPONENT * rollers
         return float(load_rating / (REDUCTION * share * of_rows * math.cos(self.contact_angle)))
 
     @property
@@ -165,12 +165,12 @@ class Raceway(Input):
     def _ratio(self) -> float:
         return (1.0 - self._gamma) / (1.0 + self._gamma)
 
-    def _checked(self, rollers: int) -> int:
+    def _check_rollers(self, rollers: int) -> int:
         """Return a number of rollers, or reject one that does not fit side by side on the pitch circle."""
         return whole("rollers", rollers, 1, self.most_rollers, "give the number of rollers in the bearing")
 
 
-def _checked_rows(rows: int) -> int:
+def _check_rows(rows: int) -> int:
     return whole("rows", rows, 1, 100, "give the number of equal rows")
 
 

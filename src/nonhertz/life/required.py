@@ -13,7 +13,7 @@ _HOURS: Final = re.compile(r"(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?) *h")
 _REMEDY: Final = "give millions of revolutions as a number, or hours as text such as '20000 h'"
 
 
-def _asked(name: str, value: object, remedy: str) -> float | str:
+def _parse(name: str, value: object, remedy: str) -> float | str:
     """Return millions of revolutions, or hours as a number, a space and h."""
     if isinstance(value, str):
         hours = _HOURS.fullmatch(value.strip())
@@ -30,7 +30,7 @@ def _asked(name: str, value: object, remedy: str) -> float | str:
 #: Description of the field.
 REQUIRED: Final = Custom(
     "required life in millions of revolutions or, as text such as '20000 h', in hours: the verdict includes it",
-    _asked,
+    _parse,
     {"anyOf": [{"type": "number", "exclusiveMinimum": 0}, {"type": "string", "pattern": rf"^ *{_HOURS.pattern} *$"}]},
     _REMEDY,
 )

@@ -124,7 +124,7 @@ def build_surfaces(
         tried.append((misses, shape))
         refined = _refine(shape, coefficients[0], checks, misses.combined, accuracy / SAFETY)
         samples = samples.joined(checks)
-        if refined is None or _scattered(tried) or samples.load.size > _MOST_CASES:
+        if refined is None or _is_scattered(tried) or samples.load.size > _MOST_CASES:
             shape = _coarsest(tried)
             coefficients = fit_surfaces(shape, samples, _touch(shape, relief))
             _, misses = checked(building.checks)
@@ -143,7 +143,7 @@ def _coarsest(tried: list[tuple[Misses, Shape]]) -> Shape:
     return next(shape for misses, shape in tried if misses.typical <= _AS_GOOD * least)
 
 
-def _scattered(tried: list[tuple[Misses, Shape]]) -> bool:
+def _is_scattered(tried: list[tuple[Misses, Shape]]) -> bool:
     """Return whether the remaining error is the scatter of the solutions: uniform, and no smaller on finer cells."""
     typical = [misses.typical for misses, _ in tried]
     idle = len(typical) > _IDLE_ROUNDS and min(typical[-_IDLE_ROUNDS:]) > _PROGRESS * min(typical[:-_IDLE_ROUNDS])

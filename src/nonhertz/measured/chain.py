@@ -224,8 +224,8 @@ class Measured(ShortRepr, HasHtml):
             Empty if there are none.
         """
         findings = list(strain_on_strips(self.points.on_land, half_width, pressure, compliance, self._has("smooth")))
-        findings += [*self._doubted(), *_bridged(self.points.gaps), *self._coarse(), *self._coarse_corners()]
-        findings += self._stepped()
+        findings += [*self._doubt_units(), *_describe_gaps(self.points.gaps), *self._coarse(), *self._coarse_corners()]
+        findings += self._report_steps()
         for state in self.states:
             count = state.numbers.get("removed", 0.0)
             if state.name == "outliers" and count > _MANY_OUTLIERS * (len(state.points) + count):
@@ -259,7 +259,7 @@ class Measured(ShortRepr, HasHtml):
                 return state.points
         return self.points
 
-    def _stepped(self) -> Iterator[Finding]:
+    def _report_steps(self) -> Iterator[Finding]:
         """Yield each step of the surface found in the search for the land."""
         slopes = {step.name: step.slope for step in self.steps if isinstance(step, Level | Align | Trim)}
         for step in steps_in(self._before(*slopes), next(iter(slopes.values()))) if slopes else ():
@@ -268,7 +268,7 @@ class Measured(ShortRepr, HasHtml):
             words = f"The surface steps by {{height:.3g}} at {{y:.5g}} in the file; {what}"
             yield finding("surface-step", words, height=um(abs(step.height)), y=mm(step.y))
 
-    def _doubted(self) -> Iterator[Finding]:
+    def _doubt_units(self) -> Iterator[Finding]:
         """Yield that the line is so long, or so little curved, that its units are probably wrong."""
         points = self._before("smooth", "thin").on_land
         curve = nominal_form(points, 2)
@@ -411,7 +411,7 @@ def prepare(
     return measured.thinned(None if isinstance(points, bool | str) else points)
 
 
-def _bridged(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
+def _describe_gaps(gaps: tuple[tuple[float, float], ...]) -> list[Finding]:
     """Return each gap, or that there are many."""
     if len(gaps) <= _MANY_GAPS:
         words = "Nothing was measured between y = {gap:.5g}; the profile bridges it with a curve."

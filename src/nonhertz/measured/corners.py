@@ -115,7 +115,7 @@ def smoothed(points: Points, land: Array, cutoff: float = CORNER_CUTOFF) -> Arra
             continue
         distance = (points.y[corner] - points.on_land.y[at_end]) / cutoff
         drop = points.height[corner] - land[at_end]
-        height[corner] = land[at_end] + _regressed(distance, drop, weight[corner] / cutoff, _PINNED)
+        height[corner] = land[at_end] + _regress(distance, drop, weight[corner] / cutoff, _PINNED)
     return height
 
 
@@ -129,7 +129,7 @@ def _run_out(points: Points, land: Array) -> Array:
         if not np.any(corner) or not resolved(on_land, near, _RUN_OUT_CUTOFF):
             continue
         residual = on_land.height[near] - land[near]
-        residual = _regressed(
+        residual = _regress(
             -side * inwards[near] / _RUN_OUT_CUTOFF, residual, on_land.weights[near] / _RUN_OUT_CUTOFF, 0.0
         )
         land[near] += residual * np.cos(0.5 * math.pi * inwards[near] / _LAND) ** 2
@@ -195,7 +195,7 @@ def _miss(distance: Array, height: Array, place: float) -> float:
     return float(np.sum((terms @ coefficients - height) ** 2))
 
 
-def _regressed(distance: Array, height: Array, weight: Array, pinned: float) -> Array:
+def _regress(distance: Array, height: Array, weight: Array, pinned: float) -> Array:
     """Return heights after a second-order regression filter: of the parabola that fits best around each point.
 
     Distances from the joint, ascending, and weights are in cutoffs. Heights are relative to the joint, which all

@@ -69,7 +69,7 @@ def gaussian(points: Points, cutoff: float) -> Array:
         end = int(np.searchsorted(y, y[begin] + _BLOCK * cutoff, side="right"))
         first, last = np.searchsorted(y, (y[begin] - _REACH * cutoff, y[end - 1] + _REACH * cutoff))
         near = slice(int(first), int(last))
-        smooth[begin:end] = _regressed(y[near], height[near], weight[near], y[begin:end], cutoff)
+        smooth[begin:end] = _regress(y[near], height[near], weight[near], y[begin:end], cutoff)
         begin = end
     return np.asarray(form + smooth)
 
@@ -92,7 +92,7 @@ def spline(points: Points, cutoff: float) -> Array:
 
     check_cutoff(points, cutoff)
     form = nominal_form(points, 2)
-    y, height, weight = _gathered(points.lifted(points.height - form), cutoff / _PER_CUTOFF)
+    y, height, weight = _average_bins(points.lifted(points.height - form), cutoff / _PER_CUTOFF)
     if len(y) < FEWEST_POINTS:
         condition = f"divide the points into at least {FEWEST_POINTS} groups, each a fortieth of it wide"
         raise InputError("cutoff", cutoff, condition, "give a shorter one, or use the gaussian filter")
@@ -137,7 +137,7 @@ def _measured_steps(points: Points) -> tuple[Array, Array]:
     return steps, np.where(points.in_gap, 0.0, steps)
 
 
-def _regressed(y: Array, height: Array, weight: Array, at: Array, cutoff: float) -> Array:
+def _regress(y: Array, height: Array, weight: Array, at: Array, cutoff: float) -> Array:
     """Return the height at given positions [mm] of the straight line that fits best around each, under the weight.
 
     Sums over points are evaluated at the nodes of a fine grid. Points are spread to their four nearest nodes, and
@@ -187,7 +187,7 @@ def _sums(values: Array, kernel: Array) -> Array:
     return np.correlate(padded, kernel, mode="valid")
 
 
-def _gathered(points: Points, width: float) -> tuple[Array, Array, Array]:
+def _average_bins(points: Points, width: float) -> tuple[Array, Array, Array]:
     """Return means of the points in bins of a width [mm], and the length that each represents.
 
     At wavelengths of very many points, a spline through the points gives no more than one through their means.

@@ -152,9 +152,9 @@ def fit(
         finite(name, value, f"give the parameter of '{kind}' that is known")
     if highest is not None:
         finite("highest", highest, "give the height from which relief counts in mm")
-    y, relief = _gathered(points, highest)
+    y, relief = _average_neighbours(points, highest)
     free = {name: value for name, value in _start(kind, y, relief, fixed).items() if name not in fixed}
-    return _solved(kind, y, relief, free, fixed, shift and kind not in _NO_SHIFT, tilt)
+    return _solve(kind, y, relief, free, fixed, shift and kind not in _NO_SHIFT, tilt)
 
 
 def fit_best(
@@ -202,7 +202,7 @@ def fit_best(
         raise InputError("kinds", kinds, "hold at least one kind", remedy)
     fits = [fit(points, kind, shift=shift, tilt=tilt, highest=highest) for kind in kinds]
     nearest = min(fits, key=lambda fit: fit.rms)
-    judged = [_penalised(fit, nearest.points) for fit in fits]
+    judged = [_penalise(fit, nearest.points) for fit in fits]
     return tuple(sorted(judged, key=lambda fit: fit.penalised))
 
 
@@ -220,7 +220,7 @@ def _check(kind: str, shift: bool, tilt: bool, fixed: Mapping[str, float]) -> No
         )
 
 
-def _gathered(points: Points, highest: float | None) -> tuple[Array, Array]:
+def _average_neighbours(points: Points, highest: float | None) -> tuple[Array, Array]:
     """Return means over neighbouring points, about two thousand at most, which is enough for a fit.
 
     They are counted from both ends, so that a mirror image has the same ones.
@@ -251,7 +251,7 @@ def _start(kind: str, y: Array, relief: Array, fixed: Mapping[str, float]) -> di
     return parameters | dict(fixed)
 
 
-def _solved(
+def _solve(
     kind: str, y: Array, relief: Array, free: dict[str, float], fixed: Mapping[str, float], shift: bool, tilt: bool
 ) -> ProfileFit:
     from scipy.optimize import least_squares
@@ -290,7 +290,7 @@ def _solved(
         solution = least_squares(
             residuals, x0, bounds=(low, high), x_scale=steps, xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=200
         )
-    return _fitted(kind, values(solution.x), fixed, solution, logs, scale)
+    return _make_fit(kind, values(solution.x), fixed, solution, logs, scale)
 
 
 def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
@@ -302,7 +302,7 @@ def _limits(names: list[str], logs: NDArray[np.bool_]) -> tuple[Array, Array]:
     return low - 1e-9, high + 1e-9
 
 
-def _fitted(
+def _make_fit(
     kind: str,
     parameters: dict[str, float],
     fixed: Mapping[str, float],
@@ -328,7 +328,7 @@ def _fitted(
         rms=float(np.sqrt(square / len(residual))), largest=float(np.max(np.abs(residual))), points=count,
         penalised=0.0,
     )  # fmt: skip
-    return _penalised(fitted, count)
+    return _penalise(fitted, count)
 
 
 def _sensitivity(jacobian: Array) -> Array:
@@ -349,7 +349,7 @@ def _sensitivity(jacobian: Array) -> Array:
     return sensitivity
 
 
-def _penalised(fitted: ProfileFit, points: float) -> ProfileFit:
+def _penalise(fitted: ProfileFit, points: float) -> ProfileFit:
     # No measurement is better than a tenth of a nanometre; this also keeps the value of a perfect fit finite.
     mean_square = fitted.rms**2 + 1e-14
     value = points * np.log(mean_square) + len(fitted.standard_errors) * np.log(points)

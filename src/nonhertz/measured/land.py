@@ -51,7 +51,7 @@ def land(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[float, float]:
         If hardly anything is less steep.
     """
     steps, level, runs = _gentle(points, slope)
-    first, last = _extended(points, steps, runs, level, slope) if runs else (0, 0)
+    first, last = _extend(points, steps, runs, level, slope) if runs else (0, 0)
     if last - first + 1 < FEWEST_POINTS:
         condition = f"leave {FEWEST_POINTS} neighbouring points that are less steep"
         raise InputError("slope", slope, condition, "give a larger one, or leave out level, align and trim")
@@ -101,13 +101,13 @@ def steps_in(points: Points, slope: float = CHAMFER_SLOPE) -> tuple[SurfaceStep,
     at_high = [(high, points.y[run[0]]) for run in long if points.y[run[0]] > high][:1]
     for side, end, parted in ((-1.0, low, at_low), (1.0, high, at_high)):
         walls = [replace(step, within=False) for step in steps if side * step.y >= side * end]
-        walls += [] if walls else [_parting(points, before, behind, level) for before, behind in parted]
+        walls += [] if walls else [_step_between(points, before, behind, level) for before, behind in parted]
         nearest = min(walls, key=lambda step: abs(step.y - 0.5 * (low + high)), default=None)
         distinct += [nearest] if nearest is not None and abs(nearest.height) <= _HIGH_STEP else []
     return tuple(sorted(distinct, key=lambda step: step.y))
 
 
-def _parting(points: Points, before: float, behind: float, level: float) -> SurfaceStep:
+def _step_between(points: Points, before: float, behind: float, level: float) -> SurfaceStep:
     """Return the step between two stretches that end and begin at two positions, of a line with a slope."""
     z0, z1 = np.interp((before, behind), points.y, points.height)
     return SurfaceStep(0.5 * (before + behind), float(z1 - z0 - level * (behind - before)), within=False)
@@ -204,7 +204,7 @@ def _gentle(points: Points, slope: float) -> tuple[list[SurfaceStep], float, lis
     return steps, level, list(runs(gentle.astype(np.int8)))
 
 
-def _extended(
+def _extend(
     points: Points, steps: list[SurfaceStep], runs: list[tuple[int, int]], level: float, slope: float
 ) -> tuple[int, int]:
     """Return the longest stretch extended by neighbouring ones at which the surface is back at its height.

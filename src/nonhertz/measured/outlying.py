@@ -60,16 +60,16 @@ def outliers(points: Points, threshold: float) -> tuple[NDArray[np.bool_], float
     corners = points.beyond_land
     beyond = np.logical_or(*corners)
     out = np.zeros(len(points), dtype=bool)
-    out[~beyond] = _outlying(points.on_land, threshold * sigma)
+    out[~beyond] = _find_outlying(points.on_land, threshold * sigma)
     if np.any(beyond):
         parts = [points.kept(corner) for corner in corners if np.sum(corner) >= FEWEST_POINTS]
-        out |= beyond & _outlying(points, threshold * max([sigma, *map(_scatter, parts)]))
+        out |= beyond & _find_outlying(points, threshold * max([sigma, *map(_scatter, parts)]))
     return out, threshold * sigma
 
 
-def _outlying(points: Points, limit: float) -> NDArray[np.bool_]:
+def _find_outlying(points: Points, limit: float) -> NDArray[np.bool_]:
     """Return which points lie off the surface by more than a limit [mm]."""
-    side = _suspected(points, limit)
+    side = _find_suspects(points, limit)
     clean = np.flatnonzero(side == 0)
     out = np.zeros(len(points), dtype=bool)
     for first, last in runs(side):
@@ -90,13 +90,13 @@ def _farthest(points: Points) -> int:
     return max(min(int(_widest(points) / usual / 3.0) + 1, (len(points) - 4) // 6), 0)
 
 
-def _suspected(points: Points, limit: float) -> NDArray[np.int8]:
+def _find_suspects(points: Points, limit: float) -> NDArray[np.int8]:
     """Return 1 for points above the surface on both sides, -1 for those below, 0 for all others."""
     from scipy.ndimage import median_filter
 
     count, farthest = len(points), _farthest(points)
     more = 6 * farthest + 3
-    y, height = _carried_on(points, more)
+    y, height = _reflect_ends(points, more)
     side = np.zeros(count, dtype=np.int8)
     for radius in np.unique(np.geomspace(1, max(farthest, 1), _DISTANCES).round().astype(int))[
         : None if farthest else 0
@@ -213,7 +213,7 @@ def _from_chords(points: Points) -> Array:
     from scipy.ndimage import median_filter
 
     half = min(max(int(_MEDIAN_SHARE * len(points)), _FEWEST_IN_MEDIAN // 2), (len(points) - 1) // 2)
-    y, height = _carried_on(points, half)
+    y, height = _reflect_ends(points, half)
     chords = []
     for reach in np.unique(np.linspace(1, half, _CHORDS).round().astype(int)):
         before = slice(half - reach, len(y) - half - reach)
@@ -224,7 +224,7 @@ def _from_chords(points: Points) -> Array:
     return np.asarray(distance - median_filter(distance, 2 * half + 1, mode="mirror"))
 
 
-def _carried_on(points: Points, count: int) -> tuple[Array, Array]:
+def _reflect_ends(points: Points, count: int) -> tuple[Array, Array]:
     """Return the line extended beyond its ends by its point reflection, which keeps its slope."""
     y, height = (np.pad(of, count, mode="reflect", reflect_type="odd") for of in (points.y, points.height))
     height[:count] += 2.0 * _dust_at_end(points.y[::-1], points.height[::-1])

@@ -204,7 +204,7 @@ class Trim(Input):
         points, ends = Points(points.y, points.height, points.gaps), None
         low, high = land(points, self.slope) if self.length is None else (-0.5 * self.length, 0.5 * self.length)
         if self.length is None and self.corner == "keep":
-            ends, (low, high) = _cornered(points, (low, high), self.slope)
+            ends, (low, high) = _find_corners(points, (low, high), self.slope)
         if low < points.y[0] - 1e-9 or high > points.y[-1] + 1e-9:
             condition = f"lie within the points, which go from {mm(points.y[0], points.y[-1], between=' to '):.5g}"
             raise InputError("trim", self.length, condition, "give a shorter length, and align before trimming")
@@ -231,7 +231,7 @@ class Trim(Input):
         return StepResult(self.name, after, words, numbers, (points.y[~inside], points.height[~inside]))
 
 
-def _cornered(
+def _find_corners(
     points: Points, ends: tuple[float, float], slope: float
 ) -> tuple[tuple[float, float] | None, tuple[float, float]]:
     """Return where the corners begin and end [mm]; None and the ends of the land if there are none."""
@@ -370,7 +370,7 @@ class Thin(Input):
         y = np.linspace(land.y[0], land.y[-1], self.count)
         gaps = tuple((low, high) for low, high in points.gaps if high - low > y[1] - y[0])
         if points.land is not None:
-            y = _merged(y, positions(points))
+            y = _merge(y, positions(points))
         height = np.interp(y, points.y, points.height)
         for low, high in gaps:
             hollow = (y > low) & (y < high)
@@ -393,7 +393,7 @@ def enough_points(length: float, cutoff: float) -> int:
     return min(max(enough, _FEWEST_THINNED), _MOST_THINNED)
 
 
-def _merged(y: Array, more: Array) -> Array:
+def _merge(y: Array, more: Array) -> Array:
     """Return positions and those of the corners, without any so close to those that a spline would swing."""
     nearest = np.abs(y[:, np.newaxis] - more).min(axis=1, initial=math.inf)
     # Not half, which rounding would make more or less of where both are multiples of one step.

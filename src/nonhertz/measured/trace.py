@@ -64,9 +64,9 @@ class Points(ShortRepr):
         if np.any(np.diff(y) <= 0.0):
             place = float(y[int(np.argmax(np.diff(y) <= 0.0)) + 1])
             raise InputError("y", place, "be greater than the position before it", "sort the points, each once")
-        object.__setattr__(self, "gaps", _checked_intervals("gaps", self.gaps))
+        object.__setattr__(self, "gaps", _check_intervals("gaps", self.gaps))
         if self.land is not None:
-            object.__setattr__(self, "land", _checked_intervals("land", [self.land])[0])
+            object.__setattr__(self, "land", _check_intervals("land", [self.land])[0])
         object.__setattr__(self, "y", y)
         object.__setattr__(self, "height", height)
         if self.gaps and not np.any(self.weights):
@@ -234,7 +234,7 @@ def _read_only(name: str, values: ArrayLike) -> Array:
     return row
 
 
-def _checked_intervals(name: str, intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+def _check_intervals(name: str, intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
     remedy = "give intervals in mm, low end first"
     pairs = [numbers(name, pair, remedy) for pair in check_list(name, intervals, "be a list of intervals", remedy)]
     if not all(pair.shape == (2,) and pair[0] <= pair[1] for pair in pairs):

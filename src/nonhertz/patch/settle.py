@@ -145,7 +145,7 @@ class _ActiveSet:
                 continue
             residual = self._solve(tolerance)
             if residual <= tolerance and self.pressure.min() >= 0.0:
-                residual *= self._rescaled()
+                residual *= self._rescale()
                 if residual <= tolerance:
                     status = Status.CONVERGED
                     break
@@ -175,7 +175,7 @@ class _ActiveSet:
         self.scale = max(float(np.max(np.abs(displacement))), -float(self.gap.min())) or 1.0
         return missing
 
-    def _rescaled(self) -> float:
+    def _rescale(self) -> float:
         """Update the scale from the current displacement, and return old scale / new scale."""
         displacement = self.rigid[0] + self.rigid[1] * self.task.y - self.task.undeformed
         np.add(displacement, self.gap, out=displacement, where=self.task.bearing)
@@ -226,7 +226,7 @@ class _ActiveSet:
         """Take steps for the current set until it is time to change it, and return the residual."""
         residual, squared, direction = np.inf, 0.0, np.zeros_like(self.gap)
         for step in range(MOST_STEPS):
-            correction, overlap = self._preconditioned()
+            correction, overlap = self._precondition()
             in_contact = float(np.max(np.abs(overlap)))
             outside = -float(np.min(self.gap, where=~self.touching, initial=0.0))
             residual = max(in_contact, outside) / self.scale
@@ -245,7 +245,7 @@ class _ActiveSet:
             self.gap += length * moved
         return residual
 
-    def _preconditioned(self) -> tuple[Array, Array]:
+    def _precondition(self) -> tuple[Array, Array]:
         """Return a pressure correction that roughly closes the gap in contact, and the overlap after a rigid motion.
 
         Approach and tilt move so that the correction has neither load nor moment where these are given.

@@ -150,7 +150,7 @@ def solve(
     refuse_thin_bodies(contact, HERTZ, solution.y, half_width, LEAST_OF_ALL, prescription.pressed)
     broken = find_complaint(solution, surface, prescription, tolerance)
     if solution.status is not Status.CONVERGED:
-        raise ConvergenceError(_failed_words(solution, broken, tolerance), solution)
+        raise ConvergenceError(_describe_failure(solution, broken, tolerance), solution)
     if not solution.footprint.any():
         condition = "put the centre of a cell inside the contact"
         raise InputError("cells", cells, condition, "give more cells, or leave the region out")
@@ -187,7 +187,7 @@ def _in_region(search: Search, grid: Grid, tolerance: float, pool: Executor | No
     )
 
 
-def _failed_words(solution: PatchSolution, broken: str, tolerance: float) -> str:
+def _describe_failure(solution: PatchSolution, broken: str, tolerance: float) -> str:
     """Return the message for a failed solve: the residual reached, and likely causes."""
     stiff = "a moment carried by only one or two rows of cells, or a gap that is rough from cell to cell"
     missed = solution.residual > tolerance

@@ -62,11 +62,11 @@ def _complaints(solution: PatchSolution, gap: Gap, prescription: Prescription, t
         yield "The gap of a cell is not a number."
     if (lowest := float(solution.pressure.min())) < 0.0:
         yield f"A cell is in tension, {mpa(-lowest):.3g}."
-    yield from _unbalanced(solution, prescription, max(tolerance, BALANCED))
+    yield from _find_unbalanced(solution, prescription, max(tolerance, BALANCED))
     yield from _open_or_overlapping(solution, gap(solution.x[:, None], solution.y[None, :]), tolerance)
 
 
-def _unbalanced(solution: PatchSolution, prescription: Prescription, allowed: float) -> Iterator[str]:
+def _find_unbalanced(solution: PatchSolution, prescription: Prescription, allowed: float) -> Iterator[str]:
     """Yield complaints on load, approach, moment or tilt that differ from the prescribed value or the sum of cells."""
     area, line = solution.dx * solution.dy, solution.pressure.sum(axis=0)
     load, moment, levers = area * line.sum(), area * (line @ solution.y), area * (line @ np.abs(solution.y))

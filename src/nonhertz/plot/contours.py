@@ -58,7 +58,7 @@ def label_contours(lines: ContourSet, mark: Contours, x: Array, y: Array, panel:
     taken = [at for along, at in points if abs(along - mark.x[column]) < near] + [depths[0], depths[-1]]
     places = []
     for level in np.asarray(lines.levels)[::-1].tolist():
-        depth = _crossing(values, depths, level, apart)
+        depth = _find_crossing(values, depths, level, apart)
         if depth is not None and all(abs(depth - other) > apart for other in taken):
             taken.append(depth)
             places.append((float(x[column]), float(np.interp(depth, depths, y))))
@@ -82,7 +82,7 @@ def _label_anywhere(lines: ContourSet, ax: Axes) -> None:
         ax.clabel(lines, manual=places, inline_spacing=2.0, **look)
 
 
-def _crossing(values: Array, depths: Array, level: float, apart: float) -> float | None:
+def _find_crossing(values: Array, depths: Array, level: float, apart: float) -> float | None:
     """Return the greatest depth at which values fall below a level; None if nowhere, or just below their rise."""
     above = np.flatnonzero(values >= level)
     # At the tip of a contour the label would lie across it.

@@ -78,10 +78,10 @@ def _make_sheet(figure: Figure, title: str) -> Sheet:
         return _sheet_of_rows(figure, title)
     if first.proportional:
         return _proportional_sheet(figure, title)
-    return _stacked_sheet(figure, title)
+    return _stack_sheet(figure, title)
 
 
-def _stacked_sheet(figure: Figure, title: str) -> Sheet:
+def _stack_sheet(figure: Figure, title: str) -> Sheet:
     """Return a sheet of panels one below the other, those of colours with one bar beside them."""
     first, keys = figure.panels[0], _keys(figure.panels)
     heights = [panel.height / DOTS for panel in figure.panels]
@@ -136,7 +136,7 @@ def _sheet_of_rows(figure: Figure, title: str) -> Sheet:
     heights = [max(map(attrgetter("height"), row)) / DOTS for row in rows]
     keys = dict(zip(figure.panels, _keys(figure.panels), strict=True))
     lines = [max(_rows_of_key(keys[panel], (WIDTH - AROUND) / len(row)) for panel in row) for row in rows]
-    further = sum(max(_wrapped(panel.remark, WIDTH / len(row) - AROUND).count("\n") for panel in row) for row in rows)
+    further = sum(max(_wrap(panel.remark, WIDTH / len(row) - AROUND).count("\n") for panel in row) for row in rows)
     height = sum(heights) + AROUND * len(rows) + ROW_OF_KEY / 72.0 * sum(lines) + LINE * further
     drawn = sheet(height, title, _lines(figure.conditions), EDGE)
     layout = ConstrainedLayoutEngine(rect=(0.0, 0.0, 1.0, height / drawn.get_figheight()))
@@ -166,7 +166,7 @@ def _draw_rows(rows: Sequence[Sequence[Panel]], heights: Sequence[float], figure
     return several
 
 
-def _wrapped(remark: str, width: float) -> str:
+def _wrap(remark: str, width: float) -> str:
     """Return a remark in lines that are at most so wide [inch]."""
     return textwrap.fill(remark, round(width / LETTER * style.SMALL_SIZE / style.SIZE))
 
@@ -183,7 +183,7 @@ def _frame(panel: Panel, figure: Figure, key: Sequence[Panel], *several: Axes) -
     # Ticks are laid out when the figure is drawn, by then perhaps under other settings.
     ax.tick_params(labelsize=style.SIZE)
     if panel.remark:
-        ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(_wrapped(panel.remark, ax.bbox.width / ax.figure.dpi))}")
+        ax.set_xlabel(f"{ax.get_xlabel()}\n{typeset(_wrap(panel.remark, ax.bbox.width / ax.figure.dpi))}")
     factor = (panel.along or figure.along).scale[0]
     above = [(factor * mark.x, mark.words) for mark in panel.marks if isinstance(mark, Across) and mark.above]
     rows = draw_key(key, *several) + write_above(above, ax, ROW_OF_KEY)

@@ -51,7 +51,7 @@ def edge_pressures(problem: Problem, judged: core.Judgement) -> tuple[EdgePressu
     return pressures[0], pressures[1]
 
 
-def _freed(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
+def _sum_free_faces(problem: Problem, place: float, side: int, reach: float) -> tuple[float, float]:
     """Return kappa summed over the free faces within ``reach`` of an end of the strips, at most 1, and its free part.
 
     The second is what `nonhertz.bodies.ends.End` calls free.
@@ -84,9 +84,9 @@ def _add_strength(
     """Return an end with its strength; edges are at these distances from it, outermost first, like pressures."""
     if edge.kind is not EdgeKind.SINGULAR:
         return edge
-    freed = _freed(problem, edge.y, side, AT_ONE_PLACE * edge.strip_width)
+    freed = _sum_free_faces(problem, edge.y, side, AT_ONE_PLACE * edge.strip_width)
     # The face of the other body a little further out distorts the pressure where K would be fitted.
-    if freed != _freed(problem, edge.y, side, FIT_REACH * half_width) or edge.exponent < LEAST_EXPONENT:
+    if freed != _sum_free_faces(problem, edge.y, side, FIT_REACH * half_width) or edge.exponent < LEAST_EXPONENT:
         return edge
     strength, correction = fit_strength(distance, pressure, freed, half_width, problem.model.element)
     return replace(edge, strength=strength, correction=correction)

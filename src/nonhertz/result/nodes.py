@@ -86,7 +86,7 @@ def _from_strips(solution: Solution) -> Array:
 def _spread(solution: Solution, mesh: Delaunay) -> tuple[Array, float]:
     """Return the forces on the nodes, and the load outside all triangles."""
     forces, outside = np.zeros(len(mesh.points)), 0.0
-    spacing = _spacing(solution, mesh)
+    spacing = _find_spacing(solution, mesh)
     for load, middle, width, half_width in zip(
         _from_strips(solution), solution.y, solution.strip_width, solution.half_width, strict=True
     ):
@@ -100,7 +100,7 @@ def _spread(solution: Solution, mesh: Delaunay) -> tuple[Array, float]:
     return forces, outside
 
 
-def _spacing(solution: Solution, mesh: Delaunay) -> tuple[float, float]:
+def _find_spacing(solution: Solution, mesh: Delaunay) -> tuple[float, float]:
     """Return the spacing across and along of nodes in contact, or of all nodes if none is in contact."""
     ends = np.concatenate([mesh.simplices[:, [0, 1]], mesh.simplices[:, [1, 2]], mesh.simplices[:, [2, 0]]])
     touching = solution.pressure(*mesh.points.T) > 0.0

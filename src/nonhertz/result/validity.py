@@ -56,7 +56,7 @@ def strains(solution: Solution, problem: Problem, judged: core.Judgement) -> Ite
         yield from check.findings
     yield from _large_errors(solution)
     yield from _short_of_accuracy(solution, problem, judged.errors)
-    yield from _missed_contact(judged.checks)
+    yield from _find_missed_contact(judged.checks)
     yield from _without_limit(solution)
 
 
@@ -109,7 +109,7 @@ def _uncertain(quantity: str, error: float, least: float = LARGE_ERROR) -> Itera
         )
 
 
-def _missed_contact(values: core.Checks) -> Iterator[Finding]:
+def _find_missed_contact(values: core.Checks) -> Iterator[Finding]:
     """Yield where the bodies overlap although no strip there is in contact."""
     if values.missed > MISSED * values.pressed:
         yield finding(

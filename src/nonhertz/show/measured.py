@@ -15,15 +15,15 @@ _FITTED = ("fit", "parameters and standard errors", "rms", "largest", "behind")
 
 def sections(measured: Measured, fits: Sequence[ProfileFit] = ()) -> list[Section]:
     """Return the sections on a measured profile and on the profiles fitted to it, best first."""
-    return [Section("", [Notes(measured.trace.notes), summary(rows(measured)), _fitted(fits)])]
+    return [Section("", [Notes(measured.trace.notes), summary(rows(measured)), _fit_rows(fits)])]
 
 
 def fit_sections(fit: ProfileFit) -> list[Section]:
     """Return the sections on one profile fitted to points."""
-    return [Section("", [_fitted([fit])])]
+    return [Section("", [_fit_rows([fit])])]
 
 
-def _fitted(fits: Sequence[ProfileFit]) -> Table:
+def _fit_rows(fits: Sequence[ProfileFit]) -> Table:
     fitted = []
     for fit in fits:
         names = [*fit.parameters, *(["shift"] if "shift" in fit.standard_errors else [])]

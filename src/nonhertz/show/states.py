@@ -25,14 +25,14 @@ def sections(solutions: BearingSolutions) -> list[Section]:
     """Return the sections on many loads of a bearing: forces, motions and the largest load of a contact."""
     loads = np.where(solutions.converged, solutions.load.max(axis=(-2, -1)), np.nan)
     numbers = [*_numbers(solutions), (QUANTITIES["max_load"], loads.ravel())]
-    return [Section("", [_counted(solutions), numbers_table("state", numbers)])]
+    return [Section("", [_count_states(solutions), numbers_table("state", numbers)])]
 
 
 def force_table_sections(table: ForceTable) -> list[Section]:
     """Return the sections on a table of forces: its ranges, and the sampled error of interpolation."""
     sampled = f"Interpolated linearly, the sampled error is {table.error_in_words}."
     notes = Notes([sampled] if table.checked_force.size else [])
-    return [Section("", [_counted(table), numbers_table("state", list(_numbers(table))), notes])]
+    return [Section("", [_count_states(table), numbers_table("state", list(_numbers(table))), notes])]
 
 
 def map_sections(maps: BearingMaps) -> list[Section]:
@@ -47,7 +47,7 @@ def map_sections(maps: BearingMaps) -> list[Section]:
     return [Section("", [Table(rows, heads, (0,))])]
 
 
-def _counted(states: BearingSolutions | ForceTable) -> Notes:
+def _count_states(states: BearingSolutions | ForceTable) -> Notes:
     return Notes([f"{np.count_nonzero(states.converged)} of {states.converged.size} states have a balance"])
 
 

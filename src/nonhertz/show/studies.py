@@ -31,8 +31,8 @@ def sweep_sections(sweep: Sweep) -> list[Section]:
     """Return the sections on a sweep: its inputs, all rows if they are few, else their extremes, and failures."""
     results = _each_row(sweep) if 1 < len(sweep) <= MOST_LISTED else extremes_table(_numbers(sweep))
     return [
-        Section("", [Notes([_counted(sweep)])]),
-        Section("", [summary([*_varied(sweep), *assumed_rows(sweep.assumed)])]),
+        Section("", [Notes([_count_rows(sweep)])]),
+        Section("", [summary([*_list_varied(sweep), *assumed_rows(sweep.assumed)])]),
         Section("", [results, Notes(_failures(sweep), "warning")]),
     ]
 
@@ -54,7 +54,7 @@ def _each_row(sweep: Sweep) -> Table:
 def diagram_sections(diagram: Diagram) -> list[Section]:
     """Return the sections on a diagram: where the life is longest, and some of its rows."""
     sweep, unit = diagram.sweep, diagram.sweep.unit(diagram.path)
-    rows: list[Row] = [(diagram.path, f"{of_dimension(diagram.values[[0, -1]].tolist(), unit):g}", _counted(sweep))]
+    rows: list[Row] = [(diagram.path, f"{of_dimension(diagram.values[[0, -1]].tolist(), unit):g}", _count_rows(sweep))]
     if diagram.present is not None:
         rows.append(("in the file", f"{of_dimension([diagram.present], unit):g}", ""))
     if diagram.longest_life is not None:
@@ -91,14 +91,14 @@ def tolerance_sections(study: Tolerance) -> list[Section]:
         if quantity not in study.main and quantity in study.results and low < high
     ]
     tables = [
-        Table([*(row[:2] for row in _varied(sweep)), *assumed_rows(sweep.assumed)]),
+        Table([*(row[:2] for row in _list_varied(sweep)), *assumed_rows(sweep.assumed)]),
         _quantiles(study, shown),
         _capabilities(study),
         *_indices(study, [quantity for quantity in shown if quantity in study.results]),
-        Table(list(_strained(sweep))),
+        Table(list(_list_strained(sweep))),
     ]
     blocks: list[list[Block]] = [[study_table] for study_table in tables if study_table.rows]
-    words: Block = Notes([f"{_counted(sweep)}; {study.independent.size} independent samples"])
+    words: Block = Notes([f"{_count_rows(sweep)}; {study.independent.size} independent samples"])
     if others:
         blocks.append([Notes([f"Also calculated: {', '.join(others)}."])])
     blocks[-1:] = [[*blocks[-1], Notes(_failures(sweep), "warning")]]
@@ -161,12 +161,12 @@ def _numbers(sweep: Sweep) -> Iterator[tuple[Quantity, tuple[float, float]]]:
             yield quantity, extremes
 
 
-def _counted(sweep: Sweep) -> str:
+def _count_rows(sweep: Sweep) -> str:
     rows = "row" if len(sweep) == 1 else "rows"
     return f"{len(sweep)} {rows}{f', {sweep.failed} of them failed' if sweep.failed else ''}"
 
 
-def _varied(sweep: Sweep) -> Iterator[Row]:
+def _list_varied(sweep: Sweep) -> Iterator[Row]:
     """Yield path and range as in a plan, in readable units, and the number of values."""
     for path, spread in sweep.plan.spreads.items():
         unit = sweep.unit(path)
@@ -210,7 +210,7 @@ def _capabilities(study: Tolerance) -> Table:
     return Table(rows, ("limit", "", "beyond", "95 % confidence interval", "Cpk", "beyond if normal"), (0, 1, 3))
 
 
-def _strained(sweep: Sweep) -> Iterator[Row]:
+def _list_strained(sweep: Sweep) -> Iterator[Row]:
     """Yield the estimated errors and strained conditions of the rows."""
     for quantity, (_, largest) in _numbers(sweep):
         if quantity.name == "error" and error_words(largest):

@@ -59,7 +59,7 @@ def save(
         if not sources.setdefault(id(block.problem.contact), block).results:
             sources[id(block.problem.contact)] = block
     order = {contact: number for number, contact in enumerate(sources)}
-    cases = [case for block in blocks for case in _saved_cases(block, order[id(block.problem.contact)])]
+    cases = [case for block in blocks for case in _list_cases(block, order[id(block.problem.contact)])]
     rows, numbers, targets, levels, accuracies = zip(*cases, strict=True)
     fields = {
         "shape": np.array(shape),
@@ -110,7 +110,7 @@ class _SavedCase(NamedTuple):
     accuracy: float  # of the grids; zero where a coarser one has no solution
 
 
-def _saved_cases(block: Block, contact: int) -> Iterator[_SavedCase]:
+def _list_cases(block: Block, contact: int) -> Iterator[_SavedCase]:
     """Yield the cases of a block."""
     failed = block.error is not None
     if not block.results:

@@ -205,7 +205,7 @@ def _parse_column(name: str, value: ArrayLike) -> NDArray[Any]:
 
 
 @contextmanager
-def _naming_case(number: int, shape: tuple[int, ...]) -> Iterator[None]:
+def _name_case(number: int, shape: tuple[int, ...]) -> Iterator[None]:
     """Name the case in which an input is invalid, if there are several."""
     try:
         yield
@@ -229,20 +229,20 @@ def _make_tasks(
         return Prescription(**{name: float(values[number]) for name, values in prescribed.items()})
 
     for number in _suspects(prescribed):
-        with _naming_case(number, shape):
+        with _name_case(number, shape):
             case(number)
     tasks = []
     for numbers in by_contact.values():
         contact = contacts[which[numbers[0]]]
         requested_strips(contact, options.strips)
-        with _naming_case(numbers[0], shape):
+        with _name_case(numbers[0], shape):
             aim = options.accuracy, options.accuracy_of
             problem = problem_of(contact, case(numbers[0]), options.element, options.strips, *aim)
         # A moment may act outside the bodies in any case; a load out of range is found among the extreme cases.
         loads = prescribed.get("load", np.zeros(which.size))[numbers]
         outermost = [numbers[int(loads.argmin())], numbers[int(loads.argmax())]]
         for number in numbers if "moment" in prescribed else outermost:
-            with _naming_case(number, shape):
+            with _name_case(number, shape):
                 case(number).refuse_outside(contact)
         targets = np.zeros((len(numbers), 2))
         for name, values in prescribed.items():

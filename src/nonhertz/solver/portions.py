@@ -170,7 +170,7 @@ class Run:
         self._shape, self._works, self._threads, self._axes = shape, works, threads, axes
         self._futures: list[Future[list[Block]]] = []
 
-    def _finished(self, callback: Callable[[Chunk], object] | None) -> Solutions:
+    def _finish(self, callback: Callable[[Chunk], object] | None) -> Solutions:
         """Solve all portions, report each, and return the solutions of all."""
         stop, total, done = core.Stop(), sum(len(work) for work in self._works), 0
         pool = ThreadPoolExecutor(self._threads)
@@ -199,12 +199,12 @@ class Run:
             On Ctrl-C.
         """
         try:
-            solutions = self._finished(callback)
+            solutions = self._finish(callback)
             return solutions, tuple(solutions.findings())
         except KeyboardInterrupt:
-            raise self._interrupted() from None
+            raise self._interrupted_error() from None
 
-    def _interrupted(self) -> Interrupted:
+    def _interrupted_error(self) -> Interrupted:
         """Return the error that says how far the run came, with what was solved."""
         solutions = self._so_far()
         solved = len(solutions) - sum(error.args == (NOT_SOLVED,) for error in solutions.failures.values())

@@ -67,12 +67,12 @@ def check_design(
         _loads(case, plan.get("loads")),
         chosen,
         fatigue,
-        limits_in(_mapping("constraints", plan.get("constraints", {})), QUANTITIES),
+        limits_in(_check_mapping("constraints", plan.get("constraints", {})), QUANTITIES),
     )
     return task, whole("n_starts", plan.get("n_starts", STARTS), 1, MOST_STARTS, "give the number of searches")
 
 
-def _mapping(name: str, value: object) -> Mapping[str, Any]:
+def _check_mapping(name: str, value: object) -> Mapping[str, Any]:
     if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
         raise InputError(name, value, "be a dictionary", "map paths or names to their limits")
     return value
@@ -80,7 +80,7 @@ def _mapping(name: str, value: object) -> Mapping[str, Any]:
 
 def _variables(template: Template, bounds: object) -> tuple[Variable, ...]:
     variables: list[Variable] = []
-    for path, text in _mapping("bounds", bounds).items():
+    for path, text in _check_mapping("bounds", bounds).items():
         which = template.find_varied(path, text)
         form = parse_free_form(path, text)
         if form is not None:

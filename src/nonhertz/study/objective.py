@@ -234,9 +234,9 @@ class DesignPoint:
     def _by(self, gradient: Gradient, number: int, k: int) -> float:
         if (number, k) in self._reliefs:
             return float(gradient.relief @ self._reliefs[number, k])
-        return gradient.along(lambda share: self._moved(k, share), float(self.x[k]), STEP)
+        return gradient.along(lambda share: self._move_variable(k, share), float(self.x[k]), STEP)
 
-    def _moved(self, k: int, share: float) -> Contact:
+    def _move_variable(self, k: int, share: float) -> Contact:
         """Return the contact with one variable elsewhere."""
         x = self.x.copy()
         x[k] = share
@@ -250,7 +250,7 @@ class DesignPoint:
             if ".profile" not in variable.path:
                 continue
             low, high = max(self.x[k] - STEP, 0.0), min(self.x[k] + STEP, 1.0)
-            below, above = self._moved(k, low), self._moved(k, high)
+            below, above = self._move_variable(k, low), self._move_variable(k, high)
             for number, solution in enumerate(self.solutions):
                 with np.errstate(invalid="ignore"):
                     change = (above.separation_at(solution.y) - below.separation_at(solution.y)) / (high - low)

@@ -363,7 +363,7 @@ def sweep(
     result = Sweep(study, points, numbers, store)
     work, stored = _work(study, numbers), store.portions()
     progress = Progress(len(store), len(points), len(store))
-    missing = partial(_missing_portions, points, size, stored)
+    missing = partial(_list_missing, points, size, stored)
     try:
         with contextlib.closing(solving), contextlib.ExitStack() as stack:
             stack.callback(store.release)
@@ -393,7 +393,7 @@ def _check_directory(out: object) -> Path | None:
     return Path(out)
 
 
-def _missing_portions(points: Points, size: int, stored: Container[int]) -> Iterator[Portion]:
+def _list_missing(points: Points, size: int, stored: Container[int]) -> Iterator[Portion]:
     for portion, first in enumerate(range(0, len(points), size)):
         if portion not in stored:
             rows = points.solved_at(first, min(first + size, len(points))).tolist()

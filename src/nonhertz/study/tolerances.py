@@ -301,10 +301,10 @@ def sobol_indices(paths: Sequence[str], blocks: Array) -> tuple[Index, ...]:
 def _first_and_total(blocks: Array) -> Array:
     """Return first and total indices without bounds, shape (2, parameters)."""
     a, mixed, b = blocks[:, :1], blocks[:, 1:-1], blocks[:, -1:]  # one parameter of each mixed row is that of b
-    return np.stack([1.0 - _uncorrelated(b, mixed), _uncorrelated(a, mixed)])
+    return np.stack([1.0 - _one_minus_correlation(b, mixed), _one_minus_correlation(a, mixed)])
 
 
-def _uncorrelated(one: Array, other: Array) -> Array:
+def _one_minus_correlation(one: Array, other: Array) -> Array:
     """Return 1 minus the correlation of pairs of the same distribution, with mean and variance of both together."""
     pooled = 0.5 * np.mean(one**2 + other**2, axis=0) - (0.5 * np.mean(one + other, axis=0)) ** 2
     # A resampled column may hold a single value.

@@ -64,7 +64,7 @@ class StripLoad(Load):
         from scipy.special import j1
 
         of = self.strips
-        counted = _counted(y, of)
+        counted = _pieces_of(y, of)
         low, high, load, half_width = (values[counted] for values in (of.low, of.high, of.line_load, of.half_width))
         s = k[:, None] * half_width
         transform = load * 2.0 * j1(s) / s
@@ -75,7 +75,7 @@ class StripLoad(Load):
         return Spectrum(edges, np.add.reduceat(steps, first, axis=1), None)
 
 
-def _counted(y: float, of: Lamination) -> Integers:
+def _pieces_of(y: float, of: Lamination) -> Integers:
     """Return the indices that represent the strips: a distant strip itself, pieces of a near one."""
     strips = np.arange(of.first.size - 1)
     low, high = of.low[strips], of.high[strips]

@@ -102,7 +102,7 @@ def _prescribed(state: Attributes, flipped: bool) -> dict[str, Any]:
     pairs = _chosen(state, _pairs(state))
     if flipped:
         pairs = {name: (a, -b) if name in table.PAIRS else (-a, b) for name, (a, b) in pairs.items()}
-    return {name: _unpaired(name, pair) for name, pair in pairs.items()}
+    return {name: _unpair(name, pair) for name, pair in pairs.items()}
 
 
 def _pairs(state: Attributes) -> dict[str, tuple[float, float]]:
@@ -125,7 +125,7 @@ def _chosen(state: Attributes, pairs: dict[str, tuple[float, float]]) -> dict[st
     return {name: pairs[name] for name in names if name in pairs}
 
 
-def _unpaired(name: str, pair: tuple[float, float]) -> float | list[float]:
+def _unpair(name: str, pair: tuple[float, float]) -> float | list[float]:
     """Return one number if a pair has only one, or only one axis."""
     if name not in table.PAIRS:
         return pair[0]

@@ -199,18 +199,19 @@ def _document(model: Model) -> dict[str, Any]:
     ]
     attributes = {number: component.attributes for number, component in model.components.items()}
     cases = [
-        {"id": number, "components": _listed(model, case)} for number, case in enumerate(model.load_cases, start=1)
+        {"id": number, "components": _list_components(model, case)}
+        for number, case in enumerate(model.load_cases, start=1)
     ]
     spectrum = {"load_spectrum": {"id": 1, "load_cases": cases}} if cases else {}
-    return {"relations": relations, "components": _listed(model, attributes)} | spectrum
+    return {"relations": relations, "components": _list_components(model, attributes)} | spectrum
 
 
-def _listed(model: Model, attributes: dict[int, Attributes]) -> list[dict[str, Any]]:
+def _list_components(model: Model, attributes: dict[int, Attributes]) -> list[dict[str, Any]]:
     """Return components that have attributes in the model itself or in a load case, in their order."""
     return [
         {"id": number, "type": component.type}
         | ({"name": component.name} if component.name else {})
-        | {"attributes": [_typed(name, *attribute) for name, attribute in attributes[number].items()]}
+        | {"attributes": [_typed_attribute(name, *attribute) for name, attribute in attributes[number].items()]}
         for number, component in model.components.items()
         if number in attributes
     ]
@@ -219,7 +220,7 @@ def _listed(model: Model, attributes: dict[int, Attributes]) -> list[dict[str, A
 _ENUMS: Final = re.compile("_type$|_class$|absorption|^position|^kind$")
 
 
-def _typed(name: str, value: Any, unit: str) -> dict[str, Any]:
+def _typed_attribute(name: str, value: Any, unit: str) -> dict[str, Any]:
     """Return an attribute of JSON, with its value under the name of its type."""
     types = {bool: "boolean", int: "integer", float: "floating_point", list: "floating_point_array"}
     word = "enum" if isinstance(value, str) and _ENUMS.search(name) else types.get(type(value), "string")

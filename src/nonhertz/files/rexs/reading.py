@@ -252,7 +252,7 @@ class _Bearing:
         roller = self.components[table.ROLLER]
         y, relief = (array_of(roller, entry.unit, entry.id) for entry in table.PROFILE[:2])
         if len(y) == len(relief) > 1:
-            return [{"kind": "tabulated", **_extended(y, relief, 0.5 * length)}]
+            return [{"kind": "tabulated", **_extend(y, relief, 0.5 * length)}]
         if radius := number_of(roller, "mm", "roller_crowning_radius"):
             return [{"kind": "crown", "radius": radius}]
         self.sentences.append("- profile of the rollers: the reference profile of ISO 16281; put yours in its place")
@@ -354,7 +354,7 @@ def _raceway_diameters(pitch: float, across: float, angle: float, half_cone_angl
     return pitch * math.tan(angle - 2.0 * half_cone_angle) / axis, -pitch * math.tan(angle) / axis
 
 
-def _extended(y: list[float], relief: list[float], end: float) -> dict[str, list[float]]:
+def _extend(y: list[float], relief: list[float], end: float) -> dict[str, list[float]]:
     """Return a profile that reaches both ends of a roller, straight on from its last places."""
     first, last = (
         relief[k] + (relief[k] - relief[j]) / (y[k] - y[j]) * (place - y[k])

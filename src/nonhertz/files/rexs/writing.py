@@ -104,7 +104,7 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
         model.relate("assembly", assembly=unit, part=part)
     model.relate("side", assembly=bearing, inner_part=shaft, outer_part=casing)
     material = _add_materials(model, bearing, document)
-    attributes = _exchanged(case, document, kind)
+    attributes = _take_attributes(case, document, kind)
     rollers = _add_rows(model, bearing, case, attributes, material)
     rest = json.dumps({name: entry for name, entry in document.items() if entry}), "none"
     model.components[bearing].attributes |= attributes[table.BEARING] | _words(case, kind) | {table.REST: rest}
@@ -116,7 +116,7 @@ def _model(case: BearingCase, solution: BearingSolution | None, life: BearingLif
     return model
 
 
-def _exchanged(case: BearingCase, document: dict[str, Any], kind: str) -> dict[str, Attributes]:
+def _take_attributes(case: BearingCase, document: dict[str, Any], kind: str) -> dict[str, Attributes]:
     """Take the keys that are attributes out of a document, by component."""
     row = case.bearing.rows[0].bearing
     low, high = row.effective_interval
@@ -255,7 +255,7 @@ def _read_off(entries: Iterable[Attribute], known: Any, kind: str) -> Attributes
 
 def _load_case(load: dict[str, Any], turning: str) -> Attributes:
     """Remove prescribed loads, a speed and a share of revolutions from a table of loads, and return them."""
-    prescribed = {name: _paired(name, load.pop(name)) for name in LOADS if name in load}
+    prescribed = {name: _pair(name, load.pop(name)) for name in LOADS if name in load}
     attributes: Attributes = {table.PRESCRIBED: (" ".join(prescribed), "none")}
     for entry in table.LOADS:
         key, _, place = entry.key.removeprefix("load.").partition(".")
@@ -268,7 +268,7 @@ def _load_case(load: dict[str, Any], turning: str) -> Attributes:
     return attributes
 
 
-def _paired(name: str, value: float | list[float]) -> list[float]:
+def _pair(name: str, value: float | list[float]) -> list[float]:
     """Return values about both axes, or one value of the bearing's axis."""
     if isinstance(value, list) or name not in table.PAIRS:
         return value if isinstance(value, list) else [value]

@@ -235,17 +235,17 @@ class Transformed(Formula):
     @property
     def crests(self) -> tuple[float, ...]:
         """The profile's crests, moved."""
-        return self._moved(self.profile.crests)
+        return self._move_positions(self.profile.crests)
 
     @property
     def bends(self) -> tuple[float, ...]:
         """The profile's bends, moved."""
-        return self._moved(self.profile.bends)
+        return self._move_positions(self.profile.bends)
 
     @property
     def extent(self) -> tuple[float, float]:
         """The profile's extent, moved."""
-        low, high = self._moved(self.profile.extent)
+        low, high = self._move_positions(self.profile.extent)
         return low, high
 
     @property
@@ -253,10 +253,10 @@ class Transformed(Formula):
         """The profile's joints, moved."""
         if self.profile.joints is None:
             return None
-        low, high = self._moved(self.profile.joints)
+        low, high = self._move_positions(self.profile.joints)
         return low, high
 
-    def _moved(self, positions: tuple[float, ...]) -> tuple[float, ...]:
+    def _move_positions(self, positions: tuple[float, ...]) -> tuple[float, ...]:
         """Return the moved positions along the axis [mm], ascending."""
         moved = [position + self.shift for position in positions]
         return tuple(-position for position in reversed(moved)) if self.flip else tuple(moved)

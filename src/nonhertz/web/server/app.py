@@ -94,13 +94,18 @@ def application(document: dict[str, Any], port: int, workers: int = 2, text: str
             *chain.from_iterable(page.routes() for page in pages.values()),
         ],
         lifespan=lifespan,
-        exception_handlers={HTTPException: _refused, EndedError: _ended, FailedError: _failed, Exception: _failed},
+        exception_handlers={
+            HTTPException: _answer_refusal,
+            EndedError: _answer_ended,
+            FailedError: _answer_failure,
+            Exception: _answer_failure,
+        },
     )
     # Wraps everything, including the handler of our own errors.
     return Guard(app, port)
 
 
-async def _refused(request: Request, error: Exception) -> Response:
+async def _answer_refusal(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     sentence = _SENTENCES.get(error.detail, error.detail)
     if "text/html" in request.headers.get("accept", ""):  # a typed address
@@ -108,12 +113,12 @@ async def _refused(request: Request, error: Exception) -> Response:
     return refusal(error.status_code, sentence)
 
 
-async def _ended(request: Request, error: Exception) -> Response:
+async def _answer_ended(request: Request, error: Exception) -> Response:
     # A new process is being started: the case is not at fault, and the page asks again.
     return refusal(503, "The process that was solving this case was killed by the system: try again.")
 
 
-async def _failed(request: Request, error: Exception) -> Response:
+async def _answer_failure(request: Request, error: Exception) -> Response:
     what = str(error).replace("\n", " ").rstrip(".")[:300]
     sentence = f"This is an error in nonhertz ({what}): please report it together with your case file."
     return reply(broken([("", sentence)]) | {"internal": True}, 500)

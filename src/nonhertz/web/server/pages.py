@@ -102,7 +102,7 @@ class Page:
 
     async def form(self, request: Request) -> Response:
         """Answer with the parts of a form that depend on the geometry of its document."""
-        (document,) = Question(form_state).read(await _asked(request))
+        (document,) = Question(form_state).read(await _question_of(request))
         try:
             refuse(too_long(document))
         except CaseError as error:
@@ -113,7 +113,7 @@ class Page:
         """Return the handler of a question about a document; it answers with a file if the route ends in its name."""
 
         async def answer(request: Request) -> Response:
-            document, *wishes = question.read(await _asked(request))
+            document, *wishes = question.read(await _question_of(request))
             whom = "quick" if question.at_once and wishes[0] == question.at_once else question.whom
             run, seconds = {
                 "quick": (self.quick.run, ANSWER_SECONDS),
@@ -202,7 +202,7 @@ async def while_awaited(
     return made
 
 
-async def _asked(request: Request) -> dict[str, Any]:
+async def _question_of(request: Request) -> dict[str, Any]:
     return json_object(await content(request, "application/json", DOCUMENT_BYTES))
 
 

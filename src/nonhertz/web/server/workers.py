@@ -171,7 +171,7 @@ class Workers:
 
     async def run_apart(self, job: Job, *arguments: Any, seconds: float) -> Any:
         """Return the result of a long job, run in a process of its own, one at a time; raises as `run`."""
-        with self._queued():
+        with self._wait_in_queue():
             await self._apart.acquire()
         worker: Worker | None = None
         try:
@@ -186,7 +186,7 @@ class Workers:
     async def _free(self) -> Worker:
         """Return an idle process."""
         self.wake()
-        with self._queued():
+        with self._wait_in_queue():
             while True:
                 worker = await self._idle.get()
                 if worker.alive:
@@ -195,7 +195,7 @@ class Workers:
                 self.wake()
 
     @contextlib.contextmanager
-    def _queued(self) -> Iterator[None]:
+    def _wait_in_queue(self) -> Iterator[None]:
         """Let a job wait for a process, unless too many are waiting.
 
         A refusal would not be quicker for the user, and browsers write each one into their consoles.

@@ -81,23 +81,23 @@ def strength(document: dict[str, Any], body: BodyName) -> dict[str, Any]:
 def load(document: dict[str, Any], method: Method | None, roller: int | None = None) -> dict[str, Any]:
     """Answer with the contents of the page for a bearing and a roller; ``method`` replaces that of the file."""
     case = sound(document, BearingCase)
-    return {"file_method": case.solver.method} | bearing_answer(*_loaded(case, method), roller)
+    return {"file_method": case.solver.method} | bearing_answer(*_load(case, method), roller)
 
 
 @job
 def lines(document: dict[str, Any], method: Method | None, roller: int | None) -> dict[str, Any]:
     """Answer with loads and pressures along one roller of a bearing."""
-    return {"ok": True} | roller_answer(*_loaded(sound(document, BearingCase), method), roller)
+    return {"ok": True} | roller_answer(*_load(sound(document, BearingCase), method), roller)
 
 
 @job
 def contact(document: dict[str, Any], roller: int, ring: str) -> dict[str, Any]:
     """Answer with the case of one contact of a bearing: of a roller, by its number from 0, with a ring."""
-    case, solution = _loaded(sound(document, BearingCase))
+    case, solution = _load(sound(document, BearingCase))
     return {"ok": True, "document": as_json_has_it(case.contact_case(solution, roller, ring).document)}
 
 
-def _loaded(case: BearingCase, method: Method | None = None) -> tuple[BearingCase, BearingSolution]:
+def _load(case: BearingCase, method: Method | None = None) -> tuple[BearingCase, BearingSolution]:
     """Return the case with which a bearing is assessed, and its solution; the latest ones are kept.
 
     Raises
@@ -180,7 +180,7 @@ def file(document: dict[str, Any], text: str) -> bytes:
 def written(document: dict[str, Any], kind: type[Case | BearingCase], name: str) -> bytes:
     """Return one of the files that commands write."""
     case = sound(document, kind)
-    result = Result(*_loaded(case)) if isinstance(case, BearingCase) else Result(case, try_solve(case)[0])
+    result = Result(*_load(case)) if isinstance(case, BearingCase) else Result(case, try_solve(case)[0])
     return result.texts()[name].encode()
 
 
@@ -190,7 +190,7 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
     from nonhertz.plot.finished import bearing_figures
     from nonhertz.plot.sheets import image
 
-    case, solution = _loaded(sound(document, BearingCase))
+    case, solution = _load(sound(document, BearingCase))
     figures = bearing_figures(solution, case.title, films=case.films(solution))
     if name not in figures:
         return broken([("", nothing_drawn(name, solution))])
@@ -203,7 +203,7 @@ def report(document: dict[str, Any], kind: type[Case | BearingCase]) -> bytes:
     from nonhertz.report import compose
 
     case = sound(document, kind)
-    solved = _loaded(case)[0] if isinstance(case, BearingCase) else case
+    solved = _load(case)[0] if isinstance(case, BearingCase) else case
     return compose([solved], title_block=case.title_block.dated(), units=current_units().code).encode()
 
 

@@ -109,10 +109,10 @@ def _section(solution: Solution, station: float, body: BodyName) -> tuple[Field,
     half_width = float(across_at(solution, np.array([station]))[1][0])
     x = WIDEST * half_width * np.linspace(0.0, 1.0, ACROSS)
     field = _with_numbers(cross_section(solution, station, x, _levels(half_width), body=body, threads=1))
-    return _mirrored(field), _largest(solution, field, body)
+    return _mirror(field), _largest(solution, field, body)
 
 
-def _mirrored(field: Field) -> Field:
+def _mirror(field: Field) -> Field:
     """Return a cross-section from its half: the stress field of the strips is symmetric about x = 0."""
     signs = np.array([1.0, 1.0, 1.0, 1.0, -1.0, -1.0])  # of tau_xz and tau_xy
     x, y, z, stress = (

@@ -46,12 +46,12 @@ def answer_to_file(content: bytes, name: str, options: dict[str, str]) -> dict[s
     if mistakes:
         return broken(mistakes)
     try:
-        return _answer(read_measured(content, values, name, _averaged), values.get("interpolation"))
+        return _answer(read_measured(content, values, name, _average), values.get("interpolation"))
     except InputError as error:
         return broken([(_path(error.field), str(error))])
 
 
-def _averaged(trace: Trace) -> Trace:
+def _average(trace: Trace) -> Trace:
     """Return a trace with no more points than the page accepts, averaging neighbours, which are closer than any cutoff.
 
     Points are not averaged across a gap.
