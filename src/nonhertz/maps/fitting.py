@@ -139,7 +139,8 @@ def fit_surfaces(shape: Shape, samples: Samples, touch: tuple[Array, Array]) -> 
     right.append(weight * touch[1])
     # The first two rows of coefficients are the same: no slope at no load.
     merged = sparse.kron(
-        sparse.csr_array(np.concatenate([np.eye(1, counts[0] - 1), np.eye(counts[0] - 1)])), sparse.eye(counts[1])
+        sparse.csr_array(np.concatenate([np.eye(1, counts[0] - 1), np.eye(counts[0] - 1)])),
+        sparse.eye_array(counts[1]),
     )
     rough = _SMOOTHING * weight / _TOUCH_WEIGHT * roughness(shape.breaks)
     mean = merged @ _least_squares(system, right, rough, merged)

@@ -56,7 +56,9 @@ def rows(
     from scipy.interpolate import NdBSpline
 
     first, second = (basis(knots, order) for knots, order in zip(breaks, derivatives, strict=True))
-    lower = sparse.kron(*(axis.c[: axis.t.size - axis.k - 1] for axis in (first, second)), format="csr")
+    lower = sparse.kron(
+        *(sparse.csr_array(axis.c[: axis.t.size - axis.k - 1]) for axis in (first, second)), format="csr"
+    )
     design = NdBSpline.design_matrix(np.column_stack(places), (first.t, second.t), (first.k, second.k))
     # Its shape ends with the last function that is nonzero at some place.
     values = sparse.csr_array((design.data, design.indices, design.indptr), (len(design.indptr) - 1, lower.shape[0]))
@@ -72,9 +74,8 @@ def roughness(breaks: tuple[Array, Array]) -> sparse.csr_array:
 
     counts = [knot_count(knots) for knots in breaks]
     steps = [sparse.csr_array(np.diff(np.eye(count), n=_ROUGHNESS, axis=0)) for count in counts]
-    return sparse.csr_array(
-        sparse.vstack([sparse.kron(steps[0], sparse.eye(counts[1])), sparse.kron(sparse.eye(counts[0]), steps[1])])
-    )
+    same = [sparse.eye_array(count) for count in counts]
+    return sparse.csr_array(sparse.vstack([sparse.kron(steps[0], same[1]), sparse.kron(same[0], steps[1])]))
 
 
 def polynomials(breaks: Array) -> Array:
