@@ -257,12 +257,12 @@ def nearest(word: object, known: Iterable[str]) -> str:
     return spelled[matches[0]] if len(matches) == 1 else ""
 
 
-def joined(words: Iterable[str], last: str = "and") -> str:
+def join_words(words: Iterable[str], last: str = "and") -> str:
     """Return words as a sentence lists them.
 
     Examples
     --------
-    >>> joined(["inner", "outer"]), joined(["case", "bearing", "plan"], "or")
+    >>> join_words(["inner", "outer"]), join_words(["case", "bearing", "plan"], "or")
     ('inner and outer', 'case, bearing or plan')
     """
     *others, end = words

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import describe_load, mpa
 from nonhertz.bearing.section import RINGS
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.findings import Finding, finding
 from nonhertz.model.body import BODIES
 from nonhertz.model.material import STEEL, Material
@@ -363,7 +363,7 @@ def _unknown(materials: Mapping[str, Material]) -> Iterator[tuple[Level, Finding
             parts.setdefault(material, []).append(part)
     for material, of in parts.items():
         name = f"{name_of(material)} ".lstrip() + ("of no particular grade " if material == STEEL else "")
-        what = f"of {name}({joined(of)})" if name else f"of the material of {joined(of)}"
+        what = f"of {name}({join_words(of)})" if name else f"of the material of {join_words(of)}"
         grade = "name its grade, such as 100Cr6, or " if material == STEEL else ""
         words = f"No limit is known {what}: {grade}give its yield strength or pressure limit."
         yield Level.NOT_JUDGED, finding("no-limit-known", words)

@@ -10,13 +10,13 @@ from typing import Any
 import httpx
 
 from nonhertz.web.server.app import application
-from nonhertz.web.server.serving import HOST, listening, server_of
+from nonhertz.web.server.serving import HOST, open_socket, server_of
 
 
 @contextmanager
 def running(document: dict[str, Any], workers: int = 1, text: str = "") -> Iterator[int]:
     """Serve a page and yield its port."""
-    with listening(0) as bound:
+    with open_socket(0) as bound:
         port = bound.getsockname()[1]
         server = server_of(application(document, port, workers, text))
         thread = threading.Thread(target=server.run, args=([bound],))

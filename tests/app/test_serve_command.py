@@ -86,7 +86,7 @@ def test_a_port_that_is_taken(capsys):
 
 
 def test_it_listens_on_this_machine_alone():
-    with serving.listening(0) as bound:
+    with serving.open_socket(0) as bound:
         assert bound.getsockname()[0] == "127.0.0.1"
 
 

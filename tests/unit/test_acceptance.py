@@ -13,7 +13,7 @@ from nonhertz.errors import without_accuracy_warnings
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
 from nonhertz.result.maximum import largest_pressure
-from nonhertz.result.outcome import outcome, restored, states_of_levels
+from nonhertz.result.outcome import outcome, restore, states_of_levels
 from nonhertz.solver.one import problem_of, result_of
 from nonhertz.strip.influence import kernel_of
 
@@ -32,7 +32,7 @@ def solved(given, contact=FINITE):
 def verdict(problem, state):
     """What is said of a state that claims to have converged."""
     with pytest.raises(nh.ConvergenceError) as caught:
-        outcome(problem, restored(problem, [state], 0.0, accepted=False))
+        outcome(problem, restore(problem, [state], 0.0, accepted=False))
     assert caught.value.solution.status is nh.Status.REFUTED
     return str(caught.value)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nonhertz as nh
-from nonhertz.bearing.kinematics import rolling
+from nonhertz.bearing.kinematics import make_kinematics
 from nonhertz.errors import InputError
 
 # Makers' multiples of the speed, as the Bearing Data Center of Case Western Reserve University lists them beside the
@@ -22,7 +22,7 @@ ER_16K = (9, 7.9375, 38.50, (5.428, 3.572, 0.3969, 2.0 * 2.32))
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_multiples_of_the_speed_are_those_of_the_maker(name):
     balls, ball, pitch, published = PUBLISHED[name]
-    found = rolling(balls, ball / pitch, ball / pitch, 60.0, 0.0)
+    found = make_kinematics(balls, ball / pitch, ball / pitch, 60.0, 0.0)
     computed = found.inner_frequency, found.outer_frequency, found.cage_speed / 60.0, found.roller_frequency
     for value, digits in zip(computed, published, strict=True):
         assert value == pytest.approx(digits, abs=3e-4)
@@ -30,7 +30,7 @@ def test_multiples_of_the_speed_are_those_of_the_maker(name):
 
 def test_multiples_of_the_speed_of_a_third_bearing():
     balls, ball, pitch, published = ER_16K
-    motion = rolling(balls, ball / pitch, ball / pitch, 60.0, 0.0)
+    motion = make_kinematics(balls, ball / pitch, ball / pitch, 60.0, 0.0)
     computed = motion.inner_frequency, motion.outer_frequency, motion.cage_speed / 60.0, motion.roller_frequency
     assert computed == pytest.approx(published, abs=6e-3)  # half of the last digit, of the last one twice
 
@@ -38,7 +38,7 @@ def test_multiples_of_the_speed_of_a_third_bearing():
 def test_two_rows_of_rollers_with_a_contact_angle():
     # Rexnord ZA-2115 at 2000/min; Qiu, Lee, Lin, Yu: J. Sound Vib. 289 (2006) 1066: BPFO, BPFI, BSF and cage.
     size = 0.331 / 2.815
-    found = rolling(16, size, size * math.cos(math.radians(15.17)), 2000.0, 0.0)
+    found = make_kinematics(16, size, size * math.cos(math.radians(15.17)), 2000.0, 0.0)
     computed = found.outer_frequency, found.inner_frequency, found.roller_frequency / 2.0, found.cage_speed / 60.0
     assert computed == pytest.approx((236.4, 296.9, 139.9, 14.7), abs=0.08)
 
@@ -51,10 +51,10 @@ def test_each_multiple_of_a_catalogue_follows_from_that_of_the_outer_ring(cage, 
     # Timken, housed units, table A-9: 205K, 9106 and 318W, of 9, 11 and 12 balls, whose diameters are not listed.
     balls = round(inner + outer)
     ratio = 1.0 - 2.0 * outer / balls
-    found = rolling(balls, ratio, ratio, 60.0, 0.0)
+    found = make_kinematics(balls, ratio, ratio, 60.0, 0.0)
     assert (found.cage_speed / 60.0, found.inner_frequency) == pytest.approx((cage, inner), abs=5.1e-4)
     assert found.roller_frequency / 2.0 == pytest.approx(spin, abs=2e-3)  # the last digit of the ratio is worth so much
-    assert rolling(balls, ratio, ratio, 0.0, 60.0).cage_speed / 60.0 == pytest.approx(outer_turns, abs=5.1e-4)
+    assert make_kinematics(balls, ratio, ratio, 0.0, 60.0).cage_speed / 60.0 == pytest.approx(outer_turns, abs=5.1e-4)
 
 
 def cylindrical():

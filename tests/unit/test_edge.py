@@ -10,7 +10,7 @@ import nonhertz as nh
 from nonhertz.bodies.ends import edge_powers, ends
 from nonhertz.errors import without_accuracy_warnings
 from nonhertz.result.ends import away_from_ends
-from nonhertz.result.maximum import counted
+from nonhertz.result.maximum import values_that_count
 
 HALF_SPACE = {"side_faces": "none", "depth": "none"}
 CROWN = nh.profile.crown(radius=4000)
@@ -194,7 +194,7 @@ def test_a_contact_that_presses_against_a_chamfer_does_not_run_out():
 def test_the_border_before_an_end_between_two_strips_is_on_the_side_of_the_contact():
     # A corner between the centres of wide strips: what counts ends a half-width before it, not next to it.
     y, half_width = np.array([0.0, 1.0, 2.0, 3.0]), np.full(4, 0.3)
-    places, pressures, _ = counted(y, np.array([1.0, 3.0, 9.0, 5.0]), half_width, np.array([1.8]))
+    places, pressures, _ = values_that_count(y, np.array([1.0, 3.0, 9.0, 5.0]), half_width, np.array([1.8]))
     at = places[pressures > 0.0].tolist()
     assert at == pytest.approx([0.0, 1.0, 3.0, 1.5, 2.1])
     # Between the end and the next strip the power of the distance, across the end a straight line.

@@ -8,7 +8,7 @@ import nonhertz as nh
 from nonhertz.bodies.influence import HALF_SPACE, Influence, influence_of
 from nonhertz.model.prescription import Prescription
 from nonhertz.native import core
-from nonhertz.result.outcome import LevelState, outcome, restored
+from nonhertz.result.outcome import LevelState, outcome, restore
 from nonhertz.solver.one import problem_of
 
 STRIPS = 21
@@ -106,7 +106,7 @@ def ended(status):
     edges, nothing = np.linspace(-10.0, 10.0, 12), np.zeros(11)
     left = LevelState(edges, nothing, nothing, nothing, (0.01, 0.0), ((0.0, 0.0), (0.0, 0.0)), int(status), 60, np.inf)
     with pytest.raises(nh.ConvergenceError) as failure:
-        outcome(problem, restored(problem, [left], 0.0))
+        outcome(problem, restore(problem, [left], 0.0))
     return failure.value
 
 

@@ -124,13 +124,13 @@ def test_a_free_end_of_a_stiff_body_is_nearly_that_of_a_rigid_one():
 
 @pytest.mark.parametrize(("kappa", "free"), [(0.3, 0.3), (0.5, 0.5), (0.5, 0.2), (0.9, 0.9)])
 def test_powers_at_an_end_move_its_surface_by_smooth_terms_only(kappa, free):
-    from nonhertz.result.end_fit import added_under_powers, wedge_displacement
+    from nonhertz.result.end_fit import integrate_free_edge, wedge_displacement
 
     x = np.geomspace(1e-3, 0.08, 9)
 
     def rough(powers):
         """What a polynomial of x does not describe of the displacement."""
-        moved = wedge_displacement(x[:, None], kappa, powers) - 0.5 * free * added_under_powers(x, powers)
+        moved = wedge_displacement(x[:, None], kappa, powers) - 0.5 * free * integrate_free_edge(x, powers)
         smooth = np.vander(x, 6)
         return np.abs(smooth @ np.linalg.lstsq(smooth, moved, rcond=None)[0] - moved).max(axis=0)
 

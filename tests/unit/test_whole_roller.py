@@ -10,7 +10,7 @@ import nonhertz as nh
 from nonhertz.bodies import smooth_part, solid_rollers
 from nonhertz.bodies.harmonic_elements import DEGREE, HarmonicElements, nodal_polynomials, with_kinks
 from nonhertz.bodies.influence import influence_of
-from nonhertz.bodies.smooth_part import fading, response_matrix, terms_along
+from nonhertz.bodies.smooth_part import fade_weights, response_matrix, terms_along
 from nonhertz.bodies.stored import cache_on_disk
 from nonhertz.bodies.whole_roller import whole_roller
 from nonhertz.model.outline import Outline
@@ -263,7 +263,7 @@ def test_the_table_of_solid_rollers_gives_what_short_elements_give(half_length, 
     count = math.ceil(terms_along(outline))
     worked_out = response_matrix(outline, poisson, count, 1.2 * half_length / count)
     tabulated = solid_rollers.response_matrix(half_length, poisson, count)
-    counting = np.outer(fading(outline), fading(outline))
+    counting = np.outer(fade_weights(outline), fade_weights(outline))
     np.testing.assert_allclose(counting * tabulated, counting * worked_out, atol=3e-6 * np.abs(worked_out).max())
 
 

@@ -83,7 +83,7 @@ class Kinematics(ShortRepr, HasHtml):
         return abs(self.inner_speed or self.outer_speed) / 60.0
 
 
-def rolling(rollers: int, size: float, ratio: float, inner_speed: float, outer_speed: float) -> Kinematics:
+def make_kinematics(rollers: int, size: float, ratio: float, inner_speed: float, outer_speed: float) -> Kinematics:
     """Return the kinematics for a number of rollers, D / d, g, and the speeds of the rings [1/min].
 
     Raises
@@ -93,7 +93,7 @@ def rolling(rollers: int, size: float, ratio: float, inner_speed: float, outer_s
 
     Examples
     --------
-    >>> found = rolling(16, 0.331 / 2.815, 0.331 / 2.815 * 0.96515, 2000.0, 0.0)  # Rexnord ZA-2115
+    >>> found = make_kinematics(16, 0.331 / 2.815, 0.331 / 2.815 * 0.96515, 2000.0, 0.0)  # Rexnord ZA-2115
     >>> round(found.outer_frequency, 1), round(found.inner_frequency, 1), round(found.roller_frequency, 1)
     (236.4, 296.9, 279.8)
     """

@@ -33,7 +33,7 @@ from nonhertz.amounts import format_digits, mpa, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, SphericalRollerBearing
 from nonhertz.bearing.friction import reference_speed
 from nonhertz.bearing.pairs import Paired
-from nonhertz.bearing.ratings import Rating, axial_and_radial, axial_on_ribs, equivalent_loads, opposed
+from nonhertz.bearing.ratings import Rating, are_opposed, axial_and_radial, axial_on_ribs, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.findings import Finding, finding
 
@@ -261,7 +261,7 @@ def _rings(clearance: OperatingClearance | None) -> Iterator[Limit]:
 def _preload(solution: BearingSolution) -> Iterator[Limit]:
     """Yield a limit for each row of a preloaded pair that has lost its load."""
     bearing = solution.bearing
-    if not isinstance(bearing, Paired) or not opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
+    if not isinstance(bearing, Paired) or not are_opposed(bearing) or bearing.rows[0].bearing.nominal_angle == 0.0:
         return
     for number, row in enumerate(bearing.rows, start=1):
         if _is_preloaded(bearing) and not np.any(solution.load[row.rollers, 0] > 0.0):

@@ -177,7 +177,7 @@ def length_of(bearing: RollerBearing) -> float:
     return high - low
 
 
-def opposed(bearing: RollerBearing | Paired) -> bool:
+def are_opposed(bearing: RollerBearing | Paired) -> bool:
     """Return whether rows of a bearing are opposed, as in X and O."""
     return len({row.turned for row in bearing.rows}) > 1
 
@@ -193,7 +193,7 @@ def equivalent_loads(solution: BearingSolution) -> tuple[float, float]:
         return radial, radial
     along = axial / math.tan(angle)
     much = axial > 1.5 * math.tan(angle) * radial
-    if opposed(bearing):
+    if are_opposed(bearing):
         return (0.67 * (radial + along) if much else radial + 0.45 * along), radial + 0.44 * along
     return (0.4 * (radial + along) if much else radial), max(0.5 * radial + 0.22 * along, radial)
 
@@ -224,7 +224,7 @@ def _row_of(bearing: RollerBearing | Paired) -> tuple[RollerBearing, int]:
         raise InputError(
             "bearing", "Paired", condition, "rate the rows by themselves, each under its share of the loads"
         )
-    if isinstance(rows[0], CylindricalThrustBearing) and opposed(bearing):
+    if isinstance(rows[0], CylindricalThrustBearing) and are_opposed(bearing):
         condition = "have all its thrust bearings turned the same way: the others do not support this load"
         raise InputError("bearing", "Paired", condition, "rate the rows that support it")
     return rows[0], len(rows)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nonhertz.amounts import mm
 from nonhertz.bearing.fits import TOLERANCE_CLASSES, Range, check_class, clearance_limits
-from nonhertz.bearing.kinematics import Kinematics, rolling
+from nonhertz.bearing.kinematics import Kinematics, make_kinematics
 from nonhertz.bearing.parts import (
     BORE,
     DENSITY,
@@ -477,7 +477,7 @@ class RollerBearing(Input):
         """
         size = self.roller_diameter / self.pitch
         ratio = size * math.cos(0.5 * sum(self.contact_angles))
-        return rolling(self.rollers, size, ratio, inner_speed, outer_speed)
+        return make_kinematics(self.rollers, size, ratio, inner_speed, outer_speed)
 
     def load_by_speed(self, speed: float, turning: str = "inner") -> Array:
         """Return the load on every roller due to the speed of a turning ring [rad/s]: along x and r, and the moment.

@@ -88,7 +88,7 @@ def curved_factors(poisson: float) -> tuple[float, float, float]:
     return along, along - beta, along + beta
 
 
-def fading(outline: Outline) -> Array:
+def fade_weights(outline: Outline) -> Array:
     """Return the weights of polynomials along the axis, which fall for the last ones."""
     terms = terms_along(outline)
     return _step((terms - np.arange(float(math.ceil(terms)))) / _FADING)

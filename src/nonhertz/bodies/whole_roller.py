@@ -39,7 +39,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nonhertz.bodies import solid_rollers
-from nonhertz.bodies.smooth_part import PER_TERM, curved_factors, fading, response_matrix, terms_along
+from nonhertz.bodies.smooth_part import PER_TERM, curved_factors, fade_weights, response_matrix, terms_along
 from nonhertz.bodies.stored import MOST, cache_on_disk
 from nonhertz.model.outline import Outline
 from nonhertz.native import core
@@ -114,7 +114,7 @@ def whole_roller(outline: Outline, poisson: float) -> WholeRoller:
     A solid cylinder is read from a table, within 1e-6 of the displacement; any other is computed in a tenth of a
     second.
     """
-    shares = fading(outline)
+    shares = fade_weights(outline)
     solid = outline == Outline.cylinder(outline.half_length)
     matrix = solid_rollers.response_matrix(outline.half_length, poisson, shares.size) if solid else None
     if matrix is None:

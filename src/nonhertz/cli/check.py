@@ -17,7 +17,7 @@ from nonhertz.bearing.standard import slice_loads
 from nonhertz.cli.exit_codes import BAD_INPUT, FINE
 from nonhertz.cli.options import DESIGN_NAMES, NONE, Changes, rename_fields
 from nonhertz.cli.remedies import name_commands
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.files.keys import unit_of
 from nonhertz.files.planfile import DESIGN, parse_case_or_bearing, parse_design
 from nonhertz.files.toml import is_plan, load_document
@@ -146,7 +146,7 @@ def _describe_plan(document: dict[str, Any], path: Path, changes: Mapping[str, A
         except InputError as error:
             raise CaseError([str(error)], [error.field]) from None
         studies.append(f"a design over {', '.join(options['bounds'])}")
-    return f"{plan.title!r}, {joined(studies) if studies else 'nothing is varied'}"
+    return f"{plan.title!r}, {join_words(studies) if studies else 'nothing is varied'}"
 
 
 def _list_inputs(prescribed: Input) -> str:

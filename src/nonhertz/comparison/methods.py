@@ -85,7 +85,7 @@ def compare(
         thread_count(threads)
     prescribed: dict[str, Any] = {"approach": approach, "load": load, "tilt": tilt, "moment": moment}
 
-    def timed(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
+    def time_run(name: str, again: int, run: Callable[[], Outcome]) -> tuple[Outcome, float]:
         """Return an outcome and the median time of ``again`` further runs, or that of the first if there are none."""
         if callback is not None:
             callback(name)
@@ -101,12 +101,12 @@ def compare(
 
     def on_strips(element: Element) -> tuple[Solution, float]:
         aim: dict[str, Any] = {"strips": strips, "accuracy": accuracy, "accuracy_of": accuracy_of}
-        return timed(f"{element.name} strips", RUNS, lambda: solve(contact, **prescribed, element=element, **aim))
+        return time_run(f"{element.name} strips", RUNS, lambda: solve(contact, **prescribed, element=element, **aim))
 
     with without_accuracy_warnings():
         (semi, of_semi), (parabola, of_parabola) = on_strips(SEMI_ELLIPTIC), on_strips(PARABOLIC)
         on_grid = functools.partial(solve_patch, contact, **prescribed, cells=cells, threads=threads)
-        patch, of_patch = timed("plane grid", 0, on_grid)
+        patch, of_patch = time_run("plane grid", 0, on_grid)
     if not patch.footprint.any():
         # An approach so small that strips touch but no cell centre does.
         raise InputError("approach", approach, "bring the bodies into contact", "give a larger one, or a load")

@@ -13,7 +13,7 @@ from nonhertz.comparison.value import Array, ComparedQuantity, Station
 from nonhertz.findings import Finding, finding
 from nonhertz.patch.solution import PatchSolution
 from nonhertz.result.ends import away_from_ends, ends_in_words
-from nonhertz.result.maximum import counted, singular_y
+from nonhertz.result.maximum import singular_y, values_that_count
 from nonhertz.result.solution import Solution
 
 LARGEST = "largest difference in MPa"
@@ -96,7 +96,7 @@ def _peak(semi: Solution, one: Solution | PatchSolution, near: float) -> tuple[f
     For all methods, the half-width next to singular ends by semi-elliptic strips is left out.
     """
     half_width = np.where(one.centre_pressure > 0.0, np.interp(one.y, semi.y, semi.half_width), 0.0)
-    places, pressures, _ = counted(one.y, one.centre_pressure, half_width, singular_y(semi))
+    places, pressures, _ = values_that_count(one.y, one.centre_pressure, half_width, singular_y(semi))
     if not np.any(pressures > 0.0):
         return math.nan, math.nan
     largest = np.flatnonzero(pressures >= (1.0 - SAME) * pressures.max())

@@ -44,7 +44,7 @@ THICK, SLIM, ASIDE = 0.62, 0.34, -0.24
 HIGH, PER_NAME, AROUND_NAMES = 170, 24, 40
 
 
-def fitted(axis: Axis, values: Array, ratio: float = math.inf, margin: float = MARGIN) -> Axis:
+def fit_axis(axis: Axis, values: Array, ratio: float = math.inf, margin: float = MARGIN) -> Axis:
     """Return an axis on which values fit, logarithmic if the largest is more than that many times the smallest."""
     finite = values[np.isfinite(values)]
     if axis.categories or not finite.size:
@@ -70,7 +70,7 @@ def lines_over(along: Axis, x: Array, lines: Mapping[str, Array], upright: Axis,
         dash = "none" if along.categories else dash
         marks.append(Line(x, numbers, name=name, colour=colour, dash=dash, marked=marked))
     words = f"{upright.label} over {_small(along.label)}: {_span(upright, values)}."
-    along, upright = fitted(along, x), fitted(upright, values, WIDE)
+    along, upright = fit_axis(along, x), fit_axis(upright, values, WIDE)
     return Panel(upright.symbol, "", upright, marks, words, height=HIGH, along=along, key=key)
 
 
@@ -79,7 +79,7 @@ def map_over(along: Axis, x: Array, upright: Axis, y: Array, values: Array, colo
     span = _span(colours, values)
     words = f"{colours.label} over {_small(along.label)} and {_small(upright.label)}: {span}."
     scales = ((along, x), (upright, y), (colours, values))
-    along, upright, colours = (fitted(axis, numbers, margin=0.0) for axis, numbers in scales)
+    along, upright, colours = (fit_axis(axis, numbers, margin=0.0) for axis, numbers in scales)
     finite = values[np.isfinite(values)]
     if finite.size and np.ptp(finite) > 1e-9 * np.abs(finite).max():
         marks: list[Mark] = [Contours(x, y, values)]
@@ -114,7 +114,7 @@ def distribution(
         marks.append(Across(middle, f"{100.0 * share:g} %", above=True, colour="second"))
     marks += [Across(limit, "limit", above=True, colour="ink", dash="ends") for limit in limits]
     shown = np.array([*drawn, *limits, *(end for ends in (quantiles or {}).values() for end in ends)])
-    along = fitted(axis, shown, 0.0 if logarithmic else math.inf)
+    along = fit_axis(axis, shown, 0.0 if logarithmic else math.inf)
     words = f"{numbers.size} samples of {_small(axis.label)}: {_span(axis, numbers)}."
     upright = replace(upright, range=(0.0, (1.0 + MARGIN) * float(counts.max())))
     return Panel(axis.symbol, "", upright, marks, words, _beyond(axis, numbers, drawn), HIGH, along=along)
@@ -177,9 +177,9 @@ def profile_band(y: Array, nominal: Array, band: tuple[Array, Array], *, label: 
         Line(y, high, name="most", colour="second", dash="dashed"),
     ]
     values = np.concatenate([low, high, nominal])
-    axis = fitted(Axis("Relief", "relief", "mm", "um"), values)
+    axis = fit_axis(Axis("Relief", "relief", "mm", "um"), values)
     least, most = axis.range or (0.0, 1.0)
-    upright, along = replace(axis, range=(most, least)), fitted(Axis("Axial position y", "y", "mm"), y)
+    upright, along = replace(axis, range=(most, least)), fit_axis(Axis("Axial position y", "y", "mm"), y)
     words = f"Relief along y, nominal and {label}: {_span(axis, values)}."
     return Panel("profile", "", upright, marks, words, height=HIGH, along=along, key=label)
 

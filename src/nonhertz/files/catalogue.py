@@ -10,7 +10,7 @@ from typing import Any, Final
 from nonhertz.bearing.bearings import TaperedRollerBearing
 from nonhertz.bearing.catalogue import CatalogueGuess, from_catalogue
 from nonhertz.bearing.prescribed import BearingLoad
-from nonhertz.errors import InputError, joined
+from nonhertz.errors import InputError, join_words
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.spreads import parse_number
 from nonhertz.files.toml import to_toml
@@ -58,7 +58,7 @@ def guess_of_catalogue(stated: Mapping[str, str]) -> CatalogueGuess:
     values = dict(_argument(symbol, value) for symbol, value in stated.items())
     if absent:
         shown = " ".join(f"{symbol}={value}" for symbol, value in stated.items())
-        raise InputError("catalogue", shown, f"include {joined(absent)}", f"add them, as in {_EXAMPLE}")
+        raise InputError("catalogue", shown, f"include {join_words(absent)}", f"add them, as in {_EXAMPLE}")
     try:
         return from_catalogue(**values)
     except InputError as error:
@@ -89,10 +89,10 @@ def text_of_guess(
     words.append(f"- load ({100.0 * _OF_LOAD:g} % of C) and speed are examples: put yours in their place")
     document = guessed_document(guess)
     document["bearing"] |= bearing or {}
-    return commented(words, document | ({"title": title} if title else {}))
+    return add_comments(words, document | ({"title": title} if title else {}))
 
 
-def commented(words: Sequence[str], document: Mapping[str, Any]) -> str:
+def add_comments(words: Sequence[str], document: Mapping[str, Any]) -> str:
     """Return a bearing file below comments: a sentence, and items that begin with a hyphen."""
     wrapped = (
         line

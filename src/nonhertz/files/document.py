@@ -11,7 +11,7 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Any, ClassVar, Self, get_args, get_type_hints
 
-from nonhertz.errors import AccuracyWarning, InputError, joined
+from nonhertz.errors import AccuracyWarning, InputError, join_words
 from nonhertz.files.bounds import FORMAT, LARGEST_CASE, walk
 from nonhertz.files.changes import apply_changes
 from nonhertz.files.folder import write_file
@@ -98,7 +98,7 @@ class Document:
                 value = _build_input(name, kinds[0], value)
                 object.__setattr__(self, name, value)
             if not isinstance(value, kinds):
-                words = joined((kind.__name__ for kind in kinds if kind is not NoneType), "or")
+                words = join_words((kind.__name__ for kind in kinds if kind is not NoneType), "or")
                 raise InputError(name, value, f"be a {words}", f"make the {self.kind} with one")
         one_line("title", self.title, "give a short name")
 

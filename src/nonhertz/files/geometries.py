@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from nonhertz.bearing.ribs import DESIGNS
-from nonhertz.errors import InputError, joined
+from nonhertz.errors import InputError, join_words
 from nonhertz.files.catalogue import SYMBOLS, guess_of_catalogue, text_of_guess
 from nonhertz.inputs.files import read_input_file
 
@@ -52,7 +52,7 @@ def _published_bearing(designation: str, rows: Mapping[str, Any]) -> str:
     design, size = matched.groups() if matched else (None, "")
     row = published_geometries().get(size)
     if row is None:
-        condition = f"be a known cylindrical roller bearing, such as {joined(_near(designation, size, rows), 'or')}"
+        condition = f"be a known cylindrical roller bearing, such as {join_words(_near(designation, size, rows), 'or')}"
         raise InputError(
             "designation", designation, condition, "give its catalogue data, or geometries with a row of it"
         )
@@ -77,7 +77,7 @@ def _own_geometries(path: Path) -> dict[str, dict[str, str]]:
         rows = []
     columns = tuple(rows[0]) if rows else ()
     if not {"designation", "source"} <= set(columns) or not set(columns) <= set(_HEAD):
-        condition = f"be a comma-separated table of {joined(_HEAD)}"
+        condition = f"be a comma-separated table of {join_words(_HEAD)}"
         raise InputError("geometries", name, condition, _EXAMPLE)
     if any(None in row.values() for row in rows):
         raise InputError("geometries", name, "have as many values in each row as in its header", "complete the rows")

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, TypeVar
 
-from nonhertz.errors import InputError, InputsError, joined, nearest
+from nonhertz.errors import InputError, InputsError, join_words, nearest
 from nonhertz.files.mistakes import Place, missing_key_error, path_of, place_of
 from nonhertz.files.writing import document_of
 from nonhertz.inputs.descriptions import (
@@ -270,7 +270,7 @@ class TableReader:
 
     def _foreign_field_error(self, name: str) -> InputError:
         """Return the error for a field that other kinds have."""
-        words = joined(word for word, kind in self.cls.kinds.items() if name in kind.descriptions)
+        words = join_words(word for word, kind in self.cls.kinds.items() if name in kind.descriptions)
         condition = f"not be given for a {self.table['kind']} {self._noun}"
         return InputError(name, self.table[name], condition, f"leave it out, it belongs to {words} {self._noun}s")
 

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.amounts import format_digits
-from nonhertz.errors import InputError, joined
+from nonhertz.errors import InputError, join_words
 from nonhertz.files.paths import Parameter
 from nonhertz.inputs.checks import finite, numbers, one_of
 from nonhertz.inputs.units import begins_with_digits, to_unit
@@ -85,7 +85,7 @@ class Distribution:
         one_of("kind", self.kind, tuple(DISTRIBUTIONS), "choose one of them")
         names = DISTRIBUTIONS[self.kind]
         if not isinstance(self.numbers, tuple) or len(self.numbers) != len(names):
-            raise InputError("numbers", self.numbers, f"be {len(names)} numbers", f"give {joined(names)}")
+            raise InputError("numbers", self.numbers, f"be {len(names)} numbers", f"give {join_words(names)}")
         for name, number in zip(names, self.numbers, strict=True):
             finite(name, number, "give a number")
         if self.kind == "normal":
@@ -93,7 +93,7 @@ class Distribution:
                 remedy = "give one above zero, or leave the parameter out"
                 raise InputError("standard deviation", self.numbers[1], "be above zero", remedy)
         elif not (self.numbers[0] < self.numbers[-1] and list(self.numbers) == sorted(self.numbers)):
-            raise InputError("numbers", self.numbers, "ascend", f"give {joined(names)}")
+            raise InputError("numbers", self.numbers, "ascend", f"give {join_words(names)}")
         if self.within is not None:
             self._check_within()
 

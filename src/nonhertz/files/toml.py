@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from nonhertz.errors import CaseError, InputError, joined, nearest
+from nonhertz.errors import CaseError, InputError, join_words, nearest
 from nonhertz.files.bounds import LARGEST_CASE, TOO_DEEP, exceeded_limit, has_long_key
 from nonhertz.files.mistakes import path_of
 from nonhertz.inputs.files import read_bytes
@@ -66,7 +66,7 @@ def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, 
     InputError
         If ``path`` is not the name of a file.
     """
-    what = joined((f"{kind} file" for kind in kinds), "or")
+    what = join_words((f"{kind} file" for kind in kinds), "or")
     if not isinstance(path, str | Path):
         raise InputError("path", path, f"be the name of a {what}", "give a string or a Path")
     path = Path(path)
@@ -77,7 +77,7 @@ def load_document(path: str | Path, *kinds: str) -> tuple[dict[str, Any], Path, 
     document = parse(text, str(path))
     kind = file_kind(document)
     if kind and kind not in kinds and "plan" not in kinds:
-        contents = joined((_CONTENTS[kind_] for kind_ in kinds), "or")
+        contents = join_words((_CONTENTS[kind_] for kind_ in kinds), "or")
         raise CaseError([f"{path} must hold {contents}, not {_CONTENTS[kind]}: use nonhertz.read_{kind}."])
     return document, path, text
 

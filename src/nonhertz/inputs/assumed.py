@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.findings import Finding, finding
 
 _KIND = "assumed"
@@ -55,7 +55,7 @@ def collect_assumptions(parts: Mapping[str, Any], document: Mapping[str, Any] | 
             if mark and field.name not in table and getattr(part, field.name) == field.default and mark.where(part):
                 keys.setdefault((mark.default, mark.decides), []).append(f"{place}.{field.name}".removeprefix("."))
     return tuple(
-        finding(_KIND, _WORDS, default=default, keys=joined(names), decides=decides)
+        finding(_KIND, _WORDS, default=default, keys=join_words(names), decides=decides)
         for (default, decides), names in keys.items()
     )
 

@@ -16,8 +16,8 @@ from nonhertz.inputs.checks import check_list, one_of, positive
 from nonhertz.inputs.descriptions import Count, Flag, OrFlag, Part, Quantity, Word
 from nonhertz.inputs.fields import validate_call
 from nonhertz.inputs.short_repr import ShortRepr
-from nonhertz.measured.corners import CORNER_CUTOFF, resolved
-from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved
+from nonhertz.measured.corners import CORNER_CUTOFF, is_resolved
+from nonhertz.measured.filters import nominal_form, shortest_cutoff, unresolved_length
 from nonhertz.measured.land import steps_in
 from nonhertz.measured.outlying import THRESHOLD
 from nonhertz.measured.roughness import (
@@ -286,7 +286,7 @@ class Measured(ShortRepr, HasHtml):
         if not self._has("smooth"):
             return
         points, cutoff = self._before("smooth").on_land, self._cutoff
-        length = unresolved(points, cutoff)
+        length = unresolved_length(points, cutoff)
         if length > _COARSE * points.span:
             yield finding(
                 "coarse-points",
@@ -311,7 +311,7 @@ class Measured(ShortRepr, HasHtml):
                 cutoff=mm(cutoff),
             )
             for name, corner in corners
-            if np.any(corner) and not resolved(points, corner, cutoff)
+            if np.any(corner) and not is_resolved(points, corner, cutoff)
         ]
 
     @property

@@ -87,7 +87,7 @@ def joint(points: Points, end: float, side: int) -> float:
     return float(points.y[np.abs(points.y - place).argmin()])
 
 
-def smoothed(points: Points, land: Array, cutoff: float = CORNER_CUTOFF) -> Array:
+def smooth_corners(points: Points, land: Array, cutoff: float = CORNER_CUTOFF) -> Array:
     """Return heights [mm] with the corners smoothed.
 
     Parameters
@@ -111,7 +111,7 @@ def smoothed(points: Points, land: Array, cutoff: float = CORNER_CUTOFF) -> Arra
     # A point between two gaps represents no length.
     weight = np.maximum(points.weights, 1e-6 * float(np.max(points.weights)))
     for corner, at_end in ((low, 0), (high, -1)):
-        if not np.any(corner) or not resolved(points, corner, cutoff):
+        if not np.any(corner) or not is_resolved(points, corner, cutoff):
             continue
         distance = (points.y[corner] - points.on_land.y[at_end]) / cutoff
         drop = points.height[corner] - land[at_end]
@@ -126,7 +126,7 @@ def _run_out(points: Points, land: Array) -> Array:
     for corner, at_end, side in zip(points.beyond_land, (0, -1), (-1.0, 1.0), strict=True):
         inwards = side * (on_land.y[at_end] - on_land.y)
         near = inwards <= _LAND + _ROUNDING
-        if not np.any(corner) or not resolved(on_land, near, _RUN_OUT_CUTOFF):
+        if not np.any(corner) or not is_resolved(on_land, near, _RUN_OUT_CUTOFF):
             continue
         residual = on_land.height[near] - land[near]
         residual = _regress(
@@ -136,7 +136,7 @@ def _run_out(points: Points, land: Array) -> Array:
     return land
 
 
-def resolved(points: Points, corner: NDArray[np.bool_], cutoff: float = CORNER_CUTOFF) -> bool:
+def is_resolved(points: Points, corner: NDArray[np.bool_], cutoff: float = CORNER_CUTOFF) -> bool:
     """Return whether a corner has as many points per cutoff as a filter needs: five."""
     if np.sum(corner) < FEWEST_POINTS:
         return False
@@ -149,7 +149,7 @@ def turns(points: Points) -> tuple[float, float]:
     for side, corner, at_end in zip((-1.0, 1.0), points.beyond_land, (0, -1), strict=True):
         end = float(points.on_land.y[at_end])
         inner, at, outer = np.interp(end + side * EDGE * np.array([-1.0, 0.0, 1.0]), points.y, points.height)
-        angles.append(float(2.0 * at - inner - outer) / EDGE if resolved(points, corner) else 0.0)
+        angles.append(float(2.0 * at - inner - outer) / EDGE if is_resolved(points, corner) else 0.0)
     return angles[0], angles[1]
 
 
@@ -166,7 +166,7 @@ def positions(points: Points) -> Array:
             continue
         end = points.on_land.y[at_end]
         extent = abs(float(points.y[at_end] - end))
-        if not resolved(points, corner):
+        if not is_resolved(points, corner):
             places.append(points.y[corner])
             continue
         distances = [0.0]

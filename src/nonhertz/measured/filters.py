@@ -125,7 +125,7 @@ def shortest_cutoff(points: Points) -> float:
     return _FEWEST_PER_CUTOFF * weighted_median(*_measured_steps(points))
 
 
-def unresolved(points: Points, cutoff: float) -> float:
+def unresolved_length(points: Points, cutoff: float) -> float:
     """Return the length [mm], without gaps, on which there are fewer than five points per cutoff."""
     steps, length = _measured_steps(points)
     return float(np.sum(length[_FEWEST_PER_CUTOFF * steps > cutoff * (1.0 + _ROUNDING)]))

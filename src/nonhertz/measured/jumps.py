@@ -50,7 +50,7 @@ def jumps(points: Points) -> list[SurfaceStep]:
     y, half = points.y, half_chord(points)
     # Without its slope, so that a tilted line has the same steps.
     line = (points.height[-1] - points.height[0]) / points.span * (y - y[0])
-    height = despiked(points.height - line)
+    height = remove_spikes(points.height - line)
     at = [np.interp(y + k * half, y, height) for k in (-3, -1, 1, 3)]
     before, rise, after = np.diff(at, axis=0)
     reach = 3.0 * half - ROUNDING * points.span
@@ -127,7 +127,7 @@ def half_chord(points: Points) -> float:
     return max(_CHORD * points.span, 2.0 * float(np.median(np.diff(points.y))))
 
 
-def despiked(height: Array) -> Array:
+def remove_spikes(height: Array) -> Array:
     """Return heights after a running median that removes single spikes."""
     from scipy.ndimage import median_filter
 

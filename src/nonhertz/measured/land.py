@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from nonhertz.errors import InputError
-from nonhertz.measured.jumps import BESIDE_STEP, ROUNDING, SurfaceStep, despiked, half_chord, jumps
+from nonhertz.measured.jumps import BESIDE_STEP, ROUNDING, SurfaceStep, half_chord, jumps, remove_spikes
 from nonhertz.measured.outlying import runs
 from nonhertz.measured.trace import FEWEST_POINTS, Array, Points
 
@@ -115,7 +115,7 @@ def _step_between(points: Points, before: float, behind: float, level: float) ->
 
 def chord_slopes(points: Points) -> Array:
     """Return the slope of a short chord around every point, one-sided at the outermost ones."""
-    height, half = despiked(points.height), half_chord(points)
+    height, half = remove_spikes(points.height), half_chord(points)
     low = np.maximum(points.y - half, points.y[0])
     high = np.minimum(points.y + half, points.y[-1])
     rise = np.interp(high, points.y, height) - np.interp(low, points.y, height)

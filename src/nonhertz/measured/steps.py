@@ -19,7 +19,7 @@ from nonhertz.inputs.checks import positive
 from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import Input, input_class
 from nonhertz.inputs.short_repr import ShortRepr
-from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smoothed, turns
+from nonhertz.measured.corners import CORNER_CUTOFF, FEWEST_IN_CORNER, SHARPEST, joint, positions, smooth_corners, turns
 from nonhertz.measured.filters import check_cutoff, gaussian, spline
 from nonhertz.measured.land import CHAMFER_SLOPE, corner_ends, land, symmetry, tilt
 from nonhertz.measured.outlying import THRESHOLD, outliers
@@ -328,7 +328,7 @@ class Smooth(Input):
         height = (gaussian if self.method == "gaussian" else spline)(land, self.cutoff)
         corner_cutoff = min(CORNER_CUTOFF, self.cutoff)
         if points.land is not None:
-            height = smoothed(points, height, corner_cutoff)
+            height = smooth_corners(points, height, corner_cutoff)
         rough = points.height - height
         rms = float(np.sqrt(np.mean(rough[~np.logical_or(*points.beyond_land)] ** 2)))
         words = f"Waves shorter than {mm(self.cutoff):.4g} were removed by the {self.method} filter: "

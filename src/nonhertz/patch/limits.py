@@ -19,7 +19,7 @@ from nonhertz.patch.features import Dent, Waviness
 from nonhertz.patch.grid import Grid, widest_run
 from nonhertz.patch.nearness import Overlap
 from nonhertz.patch.solution import PatchSolution
-from nonhertz.result.checks import curved, image_weights, small_strains, thick
+from nonhertz.result.checks import check_curvature, image_weights, small_strains, thick
 from nonhertz.result.edges import EdgeKind, SingularEnd
 from nonhertz.result.maximum import largest_pressure, singular_y
 from nonhertz.result.penetration import is_noticeable
@@ -109,7 +109,7 @@ def strains(solution: PatchSolution, influence: Influence, grid: Grid) -> tuple[
         y, half_width = solution.y[touching], 0.5 * solution.dx * widest_run(solution.footprint)[touching]
         mean = solution.load / (float(solution.footprint.sum()) * solution.dx * solution.dy)
         ratio = float(np.max(half_width * sharper_curvature(contact, y)))
-        checks += [curved(ratio), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
+        checks += [check_curvature(ratio), small_strains(contact, mean), *thick(contact, HERTZ, y, half_width)]
     return (*_cut_off(solution, grid), *(finding for check in checks for finding in check.findings))
 
 
@@ -167,7 +167,7 @@ def uncertain(solution: PatchSolution, largest: float) -> Iterator[Finding]:
             )
 
 
-def unresolved(features: Iterable[object], dx: float, dy: float) -> Iterator[Finding]:
+def find_unresolved(features: Iterable[object], dx: float, dy: float) -> Iterator[Finding]:
     """Yield a finding for every feature that spans only a few cells."""
     for name, size, side in _sizes(features, dx, dy):
         if size < FEWEST_CELLS * side:

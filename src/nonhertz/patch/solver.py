@@ -23,11 +23,11 @@ from nonhertz.patch.cascade import Outcome, PatchProblem, solve_on, solve_on_hal
 from nonhertz.patch.grid import Grid, Span, widest_run
 from nonhertz.patch.limits import (
     error_estimate,
+    find_unresolved,
     overlaps,
     singularities,
     strains,
     uncertain,
-    unresolved,
 )
 from nonhertz.patch.nearness import Overlap, Window
 from nonhertz.patch.resources import check_cells, refuse_excess
@@ -166,7 +166,7 @@ def solve(
         *strains(solution, problem.influence, outcome.grid),
         *overlaps(overlap, unseen, largest),
         *uncertain(solution, largest),
-        *unresolved(surface.features, solution.dx, solution.dy),
+        *find_unresolved(surface.features, solution.dx, solution.dy),
     )
     warn(findings)
     rolls_on = surface.changes_across(*outcome.grid.centres)

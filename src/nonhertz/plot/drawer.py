@@ -23,7 +23,7 @@ from nonhertz.plot.axes import ROUND, Axes, key_above
 from nonhertz.plot.axes import Figure as Sheet
 from nonhertz.plot.axial import LETTER, number, write_above
 from nonhertz.plot.contours import label_contours
-from nonhertz.plot.marks import Pen, draw_mark, normalised, typeset
+from nonhertz.plot.marks import Pen, colour_scale, draw_mark, typeset
 from nonhertz.plot.round import round_sheet
 from nonhertz.plot.sheets import (
     BAR_ROOM,
@@ -35,7 +35,7 @@ from nonhertz.plot.sheets import (
     WIDTH,
     bar_beside,
     sheet,
-    stacked,
+    stack_panels,
     stretch_of,
 )
 from nonhertz.plot.style import COLOURS
@@ -86,12 +86,14 @@ def _stack_sheet(figure: Figure, title: str) -> Sheet:
     first, keys = figure.panels[0], _keys(figure.panels)
     heights = [panel.height / DOTS for panel in figure.panels]
     if first.colours:
-        sheet, axes = stacked([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
+        sheet, axes = stack_panels([HEAD] * len(heights), heights, title, _lines(figure.conditions), right=BAR_ROOM)
         draw_colour_bar(first, axes[-1], cax=bar_beside(*axes, most=2.0 * heights[0] + HEAD))
     else:
         words = "; ".join(filter(None, [figure.conditions, *(panel.remark for panel in figure.panels)]))
         rows = [max(_rows_of_key(key, WIDTH - LEFT - MARGIN), 1) for key in keys]
-        sheet, axes = stacked([HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words))
+        sheet, axes = stack_panels(
+            [HEAD + ROW_OF_KEY / 72.0 * (row - 1) for row in rows], heights, title, _lines(words)
+        )
     for ax, panel in zip(axes, figure.panels, strict=True):
         draw_panel(panel, figure, ax, last=ax is axes[-1])
         if panel.colours:
@@ -216,7 +218,7 @@ def _proportional_sheet(figure: Figure, title: str) -> Sheet:
     rows = _rows_of_key([panel], width)
     heads = HEADS[: len(heights)] if area else [(TITLE_ABOVE + ROW_OF_KEY * (rows + 1.5)) / 72.0]
     right = WIDTH - LEFT - width
-    sheet, several = stacked(heads, [*heights.values()], title, _lines(figure.conditions), right=right)
+    sheet, several = stack_panels(heads, [*heights.values()], title, _lines(figure.conditions), right=right)
     for ax, times in zip(several, heights, strict=True):
         draw_panel(panel, figure, ax, last=ax is several[-1], stretch=times)
         draw_key([panel], ax)
@@ -339,7 +341,7 @@ def draw_colour_bar(panel: Panel, ax: Axes, /, **where: Any) -> None:
     if bands is not None:
         ax.figure.colorbar(bands, label=colours.title(), **where)
         return
-    bar = ScalarMappable(normalised(colours), style.COLOUR_MAP)
+    bar = ScalarMappable(colour_scale(colours), style.COLOUR_MAP)
     ax.figure.colorbar(bar, label=colours.title(), extend="max" if colours.cut else "neither", **where)
 
 

@@ -97,7 +97,7 @@ class Pen:
         return self.across * x, self.up * y
 
 
-def normalised(colours: Axis) -> Any:
+def colour_scale(colours: Axis) -> Any:
     """Return what turns values as they are drawn into shares of the colour map."""
     from matplotlib.colors import Normalize
 
@@ -143,7 +143,7 @@ def _(mark: Area, pen: Pen) -> None:
     values = pen.panel.colours.scale[0] * np.cos(angle) ** (2.0 * mark.power) * mark.values
     x, y = np.broadcast_to(pen.along(mark.x), values.shape), pen.upright(np.sin(angle) * mark.half_height)
     # Thousands of small polygons in an SVG file would show seams, so that the values are rasterised.
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.panel.colours), "rasterized": True}
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": colour_scale(pen.panel.colours), "rasterized": True}
     pen.ax.pcolormesh(x, y, values, shading="gouraud", zorder=1.0, **look)
     closed = [np.concatenate([row, back[::-1], row[:1]]) for row, back in ((x[0], x[0]), (y[-1], y[0]))]
     pen.ax.plot(*closed, color=style.INK, linewidth=style.THIN, solid_joinstyle="round")
@@ -152,7 +152,7 @@ def _(mark: Area, pen: Pen) -> None:
 @draw_mark.register
 def _(mark: Cells, pen: Pen) -> None:
     assert pen.panel.colours is not None
-    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": normalised(pen.panel.colours), "rasterized": True}
+    look: dict[str, Any] = {"cmap": style.COLOUR_MAP, "norm": colour_scale(pen.panel.colours), "rasterized": True}
     values = np.ma.masked_invalid(pen.panel.colours.scale[0] * mark.values.T)
     pen.ax.pcolormesh(pen.along(mark.x), pen.upright(mark.y), values, zorder=1.0, **look)
 

@@ -99,7 +99,7 @@ def sheet(height: float, title: str = "", conditions: Sequence[str] = (), left: 
     return figure
 
 
-def stacked(
+def stack_panels(
     heads: Sequence[float],
     heights: Sequence[float],
     title: str = "",

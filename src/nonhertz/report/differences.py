@@ -13,7 +13,7 @@ from nonhertz.report.inputs import Entry, InputGroup
 from nonhertz.report.results import BearingResults, CaseResults, Results
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.show.bearing import clean_numbers
-from nonhertz.show.beside import ABSENT, Cells, Compared, compared
+from nonhertz.show.beside import ABSENT, Cells, Compared, shared_quantities
 from nonhertz.show.sections import Cell
 from nonhertz.show.summary import end_words
 
@@ -80,7 +80,7 @@ def _contact_rows(contacts: Sequence[CaseResults]) -> Iterator[Compared | Cells]
 def _bearing_rows(results: Sequence[Results]) -> list[Compared]:
     names = sorted(set(BEARING_QUANTITIES) - {"warnings"}, key=["max_pressure", *BEARING_QUANTITIES].index)
     bearings = [result for result in results if isinstance(result, BearingResults)]
-    return compared(map(BEARING_QUANTITIES.__getitem__, names), [*map(_bearing_numbers, bearings)])
+    return shared_quantities(map(BEARING_QUANTITIES.__getitem__, names), [*map(_bearing_numbers, bearings)])
 
 
 def _bearing_numbers(result: BearingResults) -> dict[str, float]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from nonhertz.amounts import amount, format_input, mpa
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.files.bearing_document import PARTS
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -136,7 +136,7 @@ def share_material(groups: Sequence[InputGroup]) -> list[InputGroup]:
         return list(groups)
     shared = next((row for _, row in made if not row.default), made[0][1])
     first, *more = (group.title for group, _ in made)
-    own = InputGroup(joined([first, *(title[0].lower() + title[1:] for title in more)]), (shared,))
+    own = InputGroup(join_words([first, *(title[0].lower() + title[1:] for title in more)]), (shared,))
     others = [
         replace(group, rows=tuple(row for row in group.rows if getattr(row, "place", "") not in _MATERIALS))
         for group in groups

@@ -16,7 +16,7 @@ import numpy as np
 
 from nonhertz.bearing.film import Films
 from nonhertz.bearing.ratings import rating
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.paths import body_tables
 from nonhertz.files.profiles import profile_tables
@@ -233,7 +233,7 @@ def _describe_bodies(bodies: Mapping[str, Body]) -> Iterator[tuple[str, list[str
         for name, body in bodies.items():
             alike.setdefault(describe("{name}", body), []).append(name)
         for words, names in alike.items():
-            yield words.format(name=joined(names)), [bodies[name].behind.source for name in names]
+            yield words.format(name=join_words(names)), [bodies[name].behind.source for name in names]
 
 
 def _describe_depth(name: str, body: Body) -> str:

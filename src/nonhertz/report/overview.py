@@ -13,7 +13,7 @@ from nonhertz.amounts import Amount, amount, format_input, mm, mpa, mrad, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, TaperedRollerBearing
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.section import RINGS
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.model.body import Body
 from nonhertz.model.materials import name_of
@@ -59,7 +59,7 @@ def opening_sentence(result: Results) -> str:
         for name, (words, kind) in _PRESCRIBED.items()
         if name in prescribed and prescribed[name] != 0.0
     ]
-    under = f"under {joined(acting)}" if acting else "without a load"
+    under = f"under {join_words(acting)}" if acting else "without a load"
     if isinstance(result, CaseResults):
         a, b = _describe_body(result.solution.contact.a, "a"), _describe_body(result.solution.contact.b, "b")
         return f"{a[0].upper()}{a[1:]} and {b} {under}."

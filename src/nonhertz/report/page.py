@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 
 from nonhertz.amounts import display_units
-from nonhertz.errors import InputError, joined
+from nonhertz.errors import InputError, join_words
 from nonhertz.figures.measured import measured_steps
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.files.casefile import Case
@@ -123,7 +123,7 @@ def to_html(results: Sequence[Results], block: TitleBlock | None = None) -> str:
         Part(result, folded=_basis_sections(result, words), anchor=f"case-{number}", opening=opening_sentence(result))
         for number, result in enumerate(results, start=1)
     ]
-    title = f"{joined(labels)} compared" if len(results) <= MOST_NAMED else f"{len(results)} {words.one}s compared"
+    title = f"{join_words(labels)} compared" if len(results) <= MOST_NAMED else f"{len(results)} {words.one}s compared"
     return render_page(title, words, head, summarize(rows, labels), parts)
 
 

@@ -82,13 +82,13 @@ def checks(solution: Solution, values: core.Checks, freed: tuple[End, ...]) -> t
     contact, touching = solution.contact, solution.line_load > 0.0
     y, half_width = solution.y[touching], solution.half_width[touching]
     return (
-        _long(values.length_ratio), curved(values.radius_ratio), _even(values),
+        _long(values.length_ratio), check_curvature(values.radius_ratio), _even(values),
         small_strains(contact, values.mean_pressure), *thick(contact, solution.element, y, half_width),
         *image_weights(freed),
     )  # fmt: skip
 
 
-def holding(values: core.Checks, softer: float) -> bool:
+def all_hold(values: core.Checks, softer: float) -> bool:
     """Return whether all conditions but that of side faces hold; ``softer`` is the modulus of the softer body [MPa]."""
     return (
         values.length_ratio <= WIDER_THAN_LONG
@@ -112,7 +112,7 @@ def _long(ratio: float) -> ValidityCheck:
     return ValidityCheck(what, criterion, ratio, WIDER_THAN_LONG, (problem,), "Expect errors where the contact ends.")
 
 
-def curved(ratio: float) -> ValidityCheck:
+def check_curvature(ratio: float) -> ValidityCheck:
     """Return the check that half-widths are small compared with the bodies' radii; ``ratio`` is the largest."""
     what = "Half-spaces, parabolic separation across"
     criterion = f"half-width up to {MOST_OF_RADIUS:g} of the smaller radius of curvature"

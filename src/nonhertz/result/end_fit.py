@@ -114,12 +114,12 @@ def _wedge_pressures(edges: Array, kappa: float, free: float, powers: Array) -> 
         # Logarithms here are positive where displacements are negative, of loads twice as large.
         added = edge_kernel(centre[:, None, None], centre[:, None] + 0.5 * width * node) @ share
         of_strips = of_strips - 0.25 * free * added * width.T
-        moved = moved - 0.5 * free * added_under_powers(centre, powers)
+        moved = moved - 0.5 * free * integrate_free_edge(centre, powers)
     pressures: Array = np.linalg.solve(of_strips, moved) * length**powers
     return pressures
 
 
-def added_under_powers(x: Array, powers: Array) -> Array:
+def integrate_free_edge(x: Array, powers: Array) -> Array:
     """Return the integrals over t from 0 to 1 of t^power times the term of a free edge at x, shape (n, k)."""
     node, share = np.polynomial.legendre.leggauss(_NODES)
     panels: Array = 2.0 ** np.arange(-_PANELS, 1.0)

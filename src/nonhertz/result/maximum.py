@@ -66,7 +66,7 @@ def largest_pressure(y: Array, pressure: Array, half_width: Array, ends: Array) 
     tuple of float
         Pressure, and place [mm].
     """
-    places, pressures, at = counted(y, pressure, half_width, ends)
+    places, pressures, at = values_that_count(y, pressure, half_width, ends)
     return float(pressures.max()), float(places[at])
 
 
@@ -78,7 +78,7 @@ def largest_half_width(y: Array, half_width: Array, ends: Array) -> tuple[float,
     return largest_pressure(y, half_width, half_width, ends)
 
 
-def counted(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array, int]:
+def values_that_count(y: Array, pressure: Array, half_width: Array, ends: Array) -> tuple[Array, Array, int]:
     """Return the places that `largest_pressure` considers, the pressures there, and the number of the largest.
 
     First those of the strips, then those between neighbours; zero where they do not count. If pressures are equal up to
@@ -91,7 +91,9 @@ def places_of_largest(solution: Solved) -> tuple[float, ...]:
     """Return the positions of the maximum pressure [mm], ascending: both if they mirror each other."""
     if not solution.contact_y:
         return ()
-    places, values, _ = counted(solution.y, solution.largest_across, solution.half_width, singular_y(solution))
+    places, values, _ = values_that_count(
+        solution.y, solution.largest_across, solution.half_width, singular_y(solution)
+    )
     places, values = places[values > 0.0], values[values > 0.0]
     order = np.argsort(places)
     equal = np.flatnonzero(values[order] >= (1.0 - SAME) * values.max())

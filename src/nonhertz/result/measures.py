@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import finite, positive
 from nonhertz.native import core
-from nonhertz.result.maximum import counted, singular_y
+from nonhertz.result.maximum import singular_y, values_that_count
 from nonhertz.result.solution import runs_out
 
 if TYPE_CHECKING:
@@ -171,7 +171,7 @@ class _Largest:
     def partials(self, solution: Solution) -> Partials:
         b, ends = solution.half_width, singular_y(solution)
         values = solution.centre_pressure if self.of_pressure else b
-        _, candidates, at = counted(solution.y, values, b, ends)
+        _, candidates, at = values_that_count(solution.y, values, b, ends)
         partials = Partials.of(solution, float(candidates.max()))
         into = partials.by_pressure if self.of_pressure else partials.by_half_width
         if at < solution.strips:
@@ -181,7 +181,7 @@ class _Largest:
         pair = np.array([at - solution.strips, at - solution.strips + 1])
 
         def value_at(of_values: Array, of_widths: Array) -> float:
-            return float(counted(solution.y[pair], of_values, of_widths, ends)[1][2])
+            return float(values_that_count(solution.y[pair], of_values, of_widths, ends)[1][2])
 
         p, widths = values[pair], b[pair]
         for k, strip in enumerate(pair.tolist()):

@@ -123,7 +123,7 @@ class Judgement:
         if name != "result" or "kept" not in vars(self):
             raise AttributeError(name)
         problem, (levels, accuracy) = self.problem, vars(self).pop("kept")
-        self.result = restored(problem, levels, accuracy)
+        self.result = restore(problem, levels, accuracy)
         return self.result
 
     @property
@@ -216,7 +216,7 @@ def states_of_levels(result: core.Result) -> list[LevelState]:
     ]
 
 
-def restored(problem: Problem, levels: list[LevelState], accuracy: float, *, accepted: bool = True) -> core.Result:
+def restore(problem: Problem, levels: list[LevelState], accuracy: float, *, accepted: bool = True) -> core.Result:
     """Return the result of the core again; ``accepted`` if it is known to meet the prescribed values."""
     states = [
         (

@@ -16,7 +16,7 @@ from nonhertz.findings import Finding, finding
 from nonhertz.model.contact import sharper_curvature
 from nonhertz.model.side_faces import SERIES
 from nonhertz.native import core
-from nonhertz.result.checks import HEAVIEST, LEAST_OF_ALL, WAY_OUT, checks, holding, refuse_thin_bodies
+from nonhertz.result.checks import HEAVIEST, LEAST_OF_ALL, WAY_OUT, all_hold, checks, refuse_thin_bodies
 from nonhertz.result.edges import EdgeKind
 from nonhertz.result.penetration import is_noticeable
 from nonhertz.result.solution import Solution
@@ -41,7 +41,7 @@ def is_strained(problem: Problem, judged: core.Judgement) -> bool:
     elif problem.accuracy_given and problem.accuracy is not None:
         large = min(large, problem.accuracy + errors.left_by_modes)
     return not (
-        holding(judged.checks, softer)
+        all_hold(judged.checks, softer)
         and errors.approach <= large
         and errors.load <= large
         and errors.max_pressure <= large_pressure

@@ -39,7 +39,7 @@ from nonhertz.bearing.section import RINGS
 from nonhertz.bearing.solution import BearingSolution
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.result.quantities import Quantity
-from nonhertz.show.beside import beside, changes, compared
+from nonhertz.show.beside import beside, changes, shared_quantities
 from nonhertz.show.clearances import fit_rows, tolerance_section
 from nonhertz.show.films import film_rows
 from nonhertz.show.friction import friction_rows, limit_rows
@@ -94,7 +94,7 @@ def compared_sections(case: BearingCase, strips: BearingSolution, slices: Bearin
     alike = [quantity for part in _COMPARED for quantity in QUANTITIES.values() if quantity.within == part]
     numbers = [clean_numbers(alike, SolvedBearing(case, solution)) for solution in (strips, slices)]
     return [
-        Section("Strips compared with slices", [beside(compared(alike, numbers), ("strips", "slices"))]),
+        Section("Strips compared with slices", [beside(shared_quantities(alike, numbers), ("strips", "slices"))]),
         Section("", [compared_table(strips, slices), Notes([OF_LARGEST])]),
     ]
 
@@ -250,7 +250,7 @@ def roller_table(solution: BearingSolution, films: Films | None = None) -> Table
     loads_in_words = format_column((load * solution.load).flat)
     rows = []
     for j, roller in enumerate(_rollers(solution)):
-        tilts = [format_digits(1e3 * tilt, 4) for tilt in _tilts(solution)[j]] if carrying(solution)[j] else ["", ""]
+        tilts = [format_digits(1e3 * tilt, 4) for tilt in _tilts(solution)[j]] if are_loaded(solution)[j] else ["", ""]
         rows.append(
             (
                 *roller, *loads_in_words[2 * j : 2 * j + 2], *tilts,
@@ -297,7 +297,7 @@ def compared_table(strips: BearingSolution, slices: BearingSolution) -> Table:
     return Table(rows, ("roller", "row", "angle [deg]", *heads), (), "numbers narrow", remarks="difference")
 
 
-def carrying(solution: BearingSolution) -> NDArray[np.bool_]:
+def are_loaded(solution: BearingSolution) -> NDArray[np.bool_]:
     """Return which rollers are loaded by both rings, shape (rollers,); at speed others load the outer ring only."""
     return np.asarray(solution.load.min(axis=1) > 0.0)
 
@@ -359,7 +359,7 @@ def _load_rows(solution: BearingSolution) -> list[Row]:
 
 
 def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
-    loaded = int(np.count_nonzero(carrying(solution)))
+    loaded = int(np.count_nonzero(are_loaded(solution)))
     if not loaded:
         return [("loaded rollers", f"none of {solution.angle.size}", "")]
     j = most_loaded(solution)
@@ -376,7 +376,7 @@ def _most_loaded_rows(solution: BearingSolution) -> list[Row]:
 
 def _zones(solution: BearingSolution) -> str:
     """Return the load zones of every row in words."""
-    rows, carries = solution.bearing.rows, carrying(solution)
+    rows, carries = solution.bearing.rows, are_loaded(solution)
     zones = [_zone(solution.angle[row.rollers], carries[row.rollers]) for row in rows]
     return "; ".join(f"row {number}: {zone}" for number, zone in enumerate(zones, start=1)) if rows[1:] else zones[0]
 

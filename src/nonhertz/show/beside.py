@@ -74,7 +74,7 @@ def changes(values: Sequence[float], scale: float | None = None) -> list[str]:
     return ["", *(word if math.isfinite(change) else "" for word, change in zip(words, relative, strict=True))]
 
 
-def compared(quantities: Iterable[Quantity], results: Sequence[Mapping[str, float]]) -> list[Compared]:
+def shared_quantities(quantities: Iterable[Quantity], results: Sequence[Mapping[str, float]]) -> list[Compared]:
     """Return the quantities of results, given by name, that at least one result has and that are not all zero."""
     rows = ((quantity, [values.get(quantity.name, math.nan) for values in results]) for quantity in quantities)
     return [

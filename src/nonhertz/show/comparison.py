@@ -7,7 +7,7 @@ import math
 from nonhertz.amounts import mm, percent
 from nonhertz.comparison import Comparison, Stretch
 from nonhertz.comparison.quantities import LARGEST
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.show.beside import Cells, Compared, beside
 from nonhertz.show.sections import Notes, Section
 
@@ -35,7 +35,7 @@ def _sentences(comparison: Comparison) -> list[str]:
     for quantity in comparison.quantities:
         if quantity.remark is not None:
             remarks.setdefault(str(quantity.remark), []).append(quantity.name)
-    lines += [f"{joined(names)}: {remark}." for remark, names in remarks.items()]
+    lines += [f"{join_words(names)}: {remark}." for remark, names in remarks.items()]
     if not comparison.stretches:
         return [*lines, "Along the centre line, strips and plane grid differ by less than 1 % everywhere."]
     lines.append("Along the centre line, they differ by more than 1 % of the local pressure (in brackets: at most):")

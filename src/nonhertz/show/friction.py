@@ -5,7 +5,7 @@ from __future__ import annotations
 from nonhertz.amounts import format_digits, newton_mm
 from nonhertz.bearing.friction import Friction
 from nonhertz.bearing.solution import BearingSolution
-from nonhertz.errors import joined
+from nonhertz.errors import join_words
 from nonhertz.files.bearingfile import BearingCase
 from nonhertz.show.sections import Row, Section, summary
 
@@ -26,7 +26,7 @@ def friction_rows(case: BearingCase, solution: BearingSolution) -> list[Row]:
     missing += [] if case.prescribed.speed else ["load.speed"]
     missing += [] if case.lubrication.in_place.viscosity else ["an oil in [lubrication]"]
     friction, limit = case.friction(solution), case.thermal_speed
-    rows = [("friction torque", "not known", f"give {joined(missing)}" if missing else "no published factors")]
+    rows = [("friction torque", "not known", f"give {join_words(missing)}" if missing else "no published factors")]
     if friction is not None:
         rows = _torque_rows(friction)
     if limit is not None:

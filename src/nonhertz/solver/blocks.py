@@ -15,7 +15,7 @@ from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list
 from nonhertz.model.contact import Contact
 from nonhertz.native import core
-from nonhertz.result.outcome import restored, solution_of, states_of_levels
+from nonhertz.result.outcome import restore, solution_of, states_of_levels
 from nonhertz.result.solution import Solution
 from nonhertz.strip.problem import Problem, Target
 
@@ -58,7 +58,7 @@ class Block:
         """Return a block that was sent or copied."""
         accepted = error is None
         results = [
-            restored(problem.of(target), levels, accuracy, accepted=accepted)
+            restore(problem.of(target), levels, accuracy, accepted=accepted)
             for target, (levels, accuracy) in zip(targets, states, strict=False)
         ]
         return cls(problem, numbers, targets, results, error)

@@ -22,7 +22,7 @@ from nonhertz.errors import ConvergenceError, InputError, NonhertzError, shown
 from nonhertz.inputs.archives import Archive, Entries, digest, text
 from nonhertz.model.body import Body
 from nonhertz.model.contact import Contact
-from nonhertz.result.outcome import LevelState, outcome, restored, states_of_levels
+from nonhertz.result.outcome import LevelState, outcome, restore, states_of_levels
 from nonhertz.solver.blocks import Block, list_contacts
 from nonhertz.solver.one import pose_problem
 from nonhertz.strip.element import PARABOLIC, SEMI_ELLIPTIC
@@ -133,7 +133,7 @@ def _blocks(fields: Entries, sources: list[Contact], which: NDArray[np.intp]) ->
         # All are compared; the same contact may have been given several times as equal objects.
         problem, *_ = (problems.of(contact, sources, int(at)) for at in dict.fromkeys(which[numbers].tolist()))
         states = [next(levels) for _ in range(grids)]
-        results = [restored(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
+        results = [restore(problem.of(targets[0]), states, accuracy, accepted=not failed)] if states else []
         block = Block(problem, numbers, targets, results)
         if failed:
             yield _failed_block(block, next(errors), known)

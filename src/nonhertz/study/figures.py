@@ -15,7 +15,7 @@ from nonhertz.errors import NonhertzError, without_accuracy_warnings
 from nonhertz.figures.studies import (
     Array,
     distribution,
-    fitted,
+    fit_axis,
     lines_over,
     map_over,
     profile_band,
@@ -233,7 +233,7 @@ def axis_over(path: str, unit: str, values: NDArray[Any]) -> tuple[Axis, Array]:
         words = tuple(map(str, values.tolist()))
         return Axis(in_words(path), path, categories=words), np.arange(float(values.size))
     amount = of_dimension(values.tolist(), unit)
-    return fitted(Axis(in_words(path), path, amount.unit, amount.read), values), values.astype(float)
+    return fit_axis(Axis(in_words(path), path, amount.unit, amount.read), values), values.astype(float)
 
 
 def _quantities_drawn(sweep: Sweep) -> tuple[Quantity, ...]:

@@ -24,7 +24,7 @@ from nonhertz.files.planfile import Template
 from nonhertz.life import ContactLoadCase, Model
 from nonhertz.model.contact import Contact
 from nonhertz.result.gradient import Gradient
-from nonhertz.result.maximum import counted, singular_y
+from nonhertz.result.maximum import singular_y, values_that_count
 from nonhertz.result.measures import PressureAt
 from nonhertz.result.quantities import QUANTITIES
 from nonhertz.result.solution import Solution
@@ -204,7 +204,7 @@ class DesignPoint:
         tops = []
         for number, solution in enumerate(self.solutions):
             arrays = solution.y, solution.centre_pressure, solution.half_width
-            places, pressure, _ = counted(*arrays, singular_y(solution))
+            places, pressure, _ = values_that_count(*arrays, singular_y(solution))
             touching = np.flatnonzero(pressure > 0.0)
             along = touching[np.argsort(places[touching], kind="stable")]
             for zone in np.array_split(along, self.task.zones):

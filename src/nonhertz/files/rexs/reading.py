@@ -10,9 +10,9 @@ from typing import Any, Final
 
 from nonhertz.bearing.catalogue import from_catalogue, half_cone
 from nonhertz.bearing.section import RINGS
-from nonhertz.errors import InputError, joined
+from nonhertz.errors import InputError, join_words
 from nonhertz.files.bearingfile import BearingCase
-from nonhertz.files.catalogue import commented, guessed_document
+from nonhertz.files.catalogue import add_comments, guessed_document
 from nonhertz.files.rexs import attributes as table
 from nonhertz.files.rexs.attributes import Attribute, array_of, number_of, word_of
 from nonhertz.files.rexs.loading import read_loading
@@ -73,7 +73,7 @@ def bearing_file_of_rexs(path: str | Path, component: int | None = None) -> str:
     first = f"For 'nonhertz bearing': {bearing.title or 'bearing'}, component {number} of {name}. Add what you know."
     try:
         document = bearing.document()
-        text = commented([first, *bearing.sentences], document)
+        text = add_comments([first, *bearing.sentences], document)
     except (ArithmeticError, AttributeError, KeyError, TypeError) as error:  # in the contents of REST
         condition = f"hold what {table.REST} of this program does ({type(error).__name__})"
         raise InputError("rexs", name, condition, "remove that attribute, or write the file anew") from None
@@ -91,7 +91,7 @@ def _chosen(model: Model, number: int | None) -> int:
     if number not in known:
         names = [f"{entry} ({printable_name(model.components[entry].name)})" for entry in known[:_LISTED]]
         more = [f"{len(known) - _LISTED} more"] if len(known) > _LISTED else []
-        condition = f"be the number of a rolling bearing of the model: {joined([*names, *more], 'or')}"
+        condition = f"be the number of a rolling bearing of the model: {join_words([*names, *more], 'or')}"
         raise InputError("component", number, condition, "name one of them")
     return number
 
@@ -213,7 +213,7 @@ class _Bearing:
             arrangement = arranged.get((self.absorbed[0], self.absorbed[1]), usual)
             if arrangement is None:
                 condition = "be negative and positive, which is X, positive and negative, O, or twice positive"
-                raise InputError("axial_force_absorption_of_row", joined(self.absorbed), condition, "correct it")
+                raise InputError("axial_force_absorption_of_row", join_words(self.absorbed), condition, "correct it")
             bearing.setdefault("pair", {})["arrangement"] = arrangement
         elif self.kind in ("cylindrical", "needle"):
             design = {"positive": "NJ", "negative": "NJ", "both_directions": "NUP"}.get(self.absorbed[0])
@@ -277,8 +277,8 @@ class _Bearing:
         able = self.kind not in ("spherical", "thrust") and len(self.rows) < 2
         if unknown or not able:
             names = [entry.id for entry in table.EXCHANGED if entry.key in absent and "custom" not in entry.id]
-            rather = f", or {joined(unknown)} for an estimate" if able else ""
-            condition = f"have the internal geometry of the bearing, but {joined(names)} are missing{rather}"
+            rather = f", or {join_words(unknown)} for an estimate" if able else ""
+            condition = f"have the internal geometry of the bearing, but {join_words(names)} are missing{rather}"
             raise InputError("component", self.number, condition, "export it with detailed geometry")
         guess = from_catalogue(**catalogue, kind=self.kind)
         self.sentences += [f"- {sentence}" for sentence in guess.sentences]

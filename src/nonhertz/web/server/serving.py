@@ -24,7 +24,7 @@ CONNECTIONS: Final = 256
 """Simultaneous connections; a browser opens up to six."""
 
 
-def listening(port: int) -> socket.socket:
+def open_socket(port: int) -> socket.socket:
     """Return a socket that listens on this machine only.
 
     Parameters
@@ -80,7 +80,7 @@ def serve(
     KeyboardInterrupt
         When it is interrupted.
     """
-    with listening(port) as bound:
+    with open_socket(port) as bound:
         number = bound.getsockname()[1]
         server = server_of(application(document, number, text=text))
         address = f"http://{HOST}:{number}/"

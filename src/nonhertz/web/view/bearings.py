@@ -98,7 +98,7 @@ def _maps(solution: BearingSolution) -> dict[str, Any]:
     return {"maps": pressure_maps(solution, MAP_POINTS).to_json(), "ridges": pressure_ridges(solution).to_json()}
 
 
-def nothing_drawn(name: str, solution: BearingSolution) -> str:
+def why_not_drawn(name: str, solution: BearingSolution) -> str:
     """Return why a bearing has no figure of this name."""
     if not math.isfinite(float(solution.load.max())) or not solution.load.any():
         return "This picture needs a loaded roller: load the bearing."

@@ -25,7 +25,7 @@ from nonhertz.model.body import BodyName
 from nonhertz.show.solving import try_solve
 from nonhertz.web.limits import is_number, refuse, too_long, too_slow, unfit
 from nonhertz.web.view.answers import answer, drawable
-from nonhertz.web.view.bearings import bearing_answer, nothing_drawn, roller_answer
+from nonhertz.web.view.bearings import bearing_answer, roller_answer, why_not_drawn
 from nonhertz.web.view.replies import broken, job, misfit
 from nonhertz.web.view.stresses import strength_answer, stress_answer
 
@@ -193,7 +193,7 @@ def drawn(document: dict[str, Any], name: str, kind: Literal["svg", "png"]) -> b
     case, solution = _load(sound(document, BearingCase))
     figures = bearing_figures(solution, case.title, films=case.films(solution))
     if name not in figures:
-        return broken([("", nothing_drawn(name, solution))])
+        return broken([("", why_not_drawn(name, solution))])
     return image(figures[name], kind)
 
 
