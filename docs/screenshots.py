@@ -80,7 +80,11 @@ def main() -> None:
         page.screenshot(path=FIGURES / "page.png")
         # What the body bears follows the stress in seconds.
         page.locator("#strength[data-state=done]").wait_for(timeout=120_000)
-        page.locator(".stress[aria-labelledby=stress-title]").screenshot(path=FIGURES / "page-stress.png")
+        # High enough that nothing has to be scrolled below the line of state; a margin keeps words from the edge.
+        page.set_viewport_size(WIDE | {"height": 3000})
+        page.locator(".stress[aria-labelledby=stress-title]").screenshot(
+            path=FIGURES / "page-stress.png", style=".stress { padding: 12px }"
+        )
         page.locator("#results").evaluate("each => each.scrollTo(0, 0)")
 
         photograph_bearing(browser, address)
