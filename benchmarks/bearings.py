@@ -132,7 +132,7 @@ def page(found: dict[str, Any]) -> str:
     lines = [
         "# What whole bearings cost",
         "",
-        f"Written by `benchmarks/bearings.py`; do not edit. {found['machine']['processor']}, load average",
+        f"Measured by `benchmarks/bearings.py`. {found['machine']['processor']}, load average",
         f"{found['machine']['load']}, one thread. Medians of {ROUNDS} rounds in turn, the least in brackets.",
         "Strips start cold.",
         "",

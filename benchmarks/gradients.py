@@ -77,7 +77,7 @@ def page(found: dict[str, Any]) -> str:
     lines = [
         "# What a gradient costs",
         "",
-        f"Written by `benchmarks/gradients.py`; do not edit. {found['machine']['processor']}, load average",
+        f"Measured by `benchmarks/gradients.py`. {found['machine']['processor']}, load average",
         f"{found['machine']['load']}, one thread. Shares of the solve before, medians of {ROUNDS} pairs. A gradient",
         f"has the derivatives by relief and curvature at every strip, for any number of parameters; target {TARGET}.",
         "A dimension by its name also takes the bodies anew, four times.",

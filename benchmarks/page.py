@@ -178,7 +178,7 @@ def page(found: dict[str, Any]) -> str:
     rows = "\n".join(f"| {words} | {row(found[name])} |" for name, words in names.items())
     return f"""# How long the page waits
 
-Written by `benchmarks/page.py`; do not edit. {about["processor"]}, {about["cores"]} cores, load average
+Measured by `benchmarks/page.py`. {about["processor"]}, {about["cores"]} cores, load average
 {about["load"]}. The case that `nonhertz serve` begins with, under another load each time.
 
 From a request to its whole answer over HTTP, {REQUESTS} of each in turn:

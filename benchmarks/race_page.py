@@ -19,7 +19,7 @@ NOT_REACHED = "not reached"
 INTRODUCTION = """\
 # Race against other programs
 
-Written by `benchmarks/race.py` (`make bench`); do not edit. One run of {minutes:.1f} minutes on {threads}: {processor},
+Measured by `benchmarks/race.py` (`make bench`). One run of {minutes:.1f} minutes on {threads}: {processor},
 {cores} cores, load average {load}; {versions}.
 """
 

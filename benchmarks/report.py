@@ -200,7 +200,7 @@ def page(results: dict[str, Any]) -> Iterator[str]:
     versions = ", ".join(f"{name} {version}" for name, version in computer["versions"].items())
     yield "# Speed"
     yield ""
-    yield "Written by `benchmarks/report.py` (`make bench`); do not edit. Medians of one run,"
+    yield "Measured by `benchmarks/report.py` (`make bench`). Medians of one run,"
     yield f"{computer['threads']} thread. {computer['processor']}, {computer['cores']} cores, load average"
     yield f"{computer['load']}; {versions}."
     yield ""

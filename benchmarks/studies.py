@@ -143,7 +143,7 @@ def page(found: dict[str, Any]) -> str:
     lines = [
         "# What studies cost",
         "",
-        f"Written by `benchmarks/studies.py`; do not edit. {found['machine']['processor']}, "
+        f"Measured by `benchmarks/studies.py`. {found['machine']['processor']}, "
         f"{found['machine']['cores']} cores, load average",
         f"{found['machine']['load']}. Wall-clock times with the start of the processes, once each.",
         "",

@@ -95,7 +95,7 @@ def main() -> None:
 def _page() -> Iterator[str]:
     yield "# The strength of sharp ends, measured"
     yield ""
-    yield "Written by `docs/end_study.py`; do not edit. [Theory](singular-ends.md#sharp-ends)."
+    yield "Computed by `docs/end_study.py`. [Theory](singular-ends.md#sharp-ends)."
     yield ""
     yield "Rollers of 20 mm diameter on a flat, both half-spaces of steel, with images that add up to kappa. The"
     yield "reference leaves the pressure across free (`docs/end_study.py`); the last four columns are over it. K *of"

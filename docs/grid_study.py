@@ -87,7 +87,7 @@ def main() -> None:
 def _head() -> Iterator[str]:
     yield "# Errors of the automatic grid, measured"
     yield ""
-    yield "Written by `docs/grid_study.py`; do not edit. The method: [grid.md](grid.md)."
+    yield "Computed by `docs/grid_study.py`. The method: [grid.md](grid.md)."
     yield "Errors are relative, in ppm (1000 ppm: 0.1 %), positive where strips give too much."
     yield ""
 

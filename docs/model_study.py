@@ -35,7 +35,7 @@ HEADINGS = (
 _OPENING = """\
 # What each choice of side faces and depth changes
 
-Written by `docs/model_study.py`; do not edit. The choices: [side faces, depth](model-choices.md).
+Computed by `docs/model_study.py`. The choices: [side faces, depth](model-choices.md).
 
 The choice is that of the roller, all of steel; the ring is a half-space without ends. The first row is the whole roller
 with free ends, whose displacements agree with [finite elements](../validation/whole-roller.md) within 0.3 %; the others

@@ -60,7 +60,7 @@ def _example(name: str) -> Any:
 def _head() -> Iterator[str]:
     yield "# Errors and cost of the plane grid, measured"
     yield ""
-    yield "Written by `docs/patch_study.py`; do not edit. The method: [patch.md](patch.md)."
+    yield "Computed by `docs/patch_study.py`. The method: [patch.md](patch.md)."
     yield f"Times: one thread of {os.cpu_count()} cores ({platform.machine()}), from cold, with the region, all coarser"
     yield f"grids and the transform of the kernel; least of up to {REPEATS} solves."
     yield ""
