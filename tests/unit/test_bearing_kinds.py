@@ -2,6 +2,7 @@
 
 import dataclasses
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -299,3 +300,11 @@ def test_a_force_that_a_single_roller_does_not_feel_has_no_balance():
     """The ring was moved by 1e300 mm, with 1,200 warnings of NumPy."""
     with pytest.raises(nh.ConvergenceError, match="No equilibrium"):
         B.solve(row(rollers=1), radial=(1e3, 500.0))
+
+
+@pytest.mark.parametrize("clearance", [-1.0, 0.6])
+def test_a_clearance_between_rows_is_small_in_the_bearing(clearance):
+    """As of each row: displacements of a millimetre are beyond the model."""
+    row = nh.read_bearing(Path(__file__).parents[2] / "examples" / "tapered-pair.toml").bearing.bearings[0]
+    with pytest.raises(nh.InputError, match=r"^pair\.clearance = \S+ must lie between -0\.516 and 0\.516 mm"):
+        nh.bearing.paired(row, "O", 20.0, clearance=clearance)

@@ -1,6 +1,7 @@
 """Contacts of a bearing by strips: they follow from one step to the next, and both rings use the same strips."""
 
 import dataclasses
+import math
 from pathlib import Path
 
 import numpy as np
@@ -205,8 +206,16 @@ def test_idle_tapered_rollers_cost_little(laws):
     found = nh.read_bearing(EXAMPLES / "tapered-pair.toml").solve()
     idle = found.load[:, 0] == 0.0
     assert np.count_nonzero(idle) == 12
-    # Each rests where speed puts it, by its mass, whatever the others bear.
-    assert_allclose(found.load[idle, 1], 0.8034 * 12.25 / 11.65, rtol=1e-3)
+    # Each rests between outer raceway and rib under its centrifugal load, whatever the others bear: a frustum of steel,
+    # whose cage rolls on both raceways, and whose end touches the rib 4.6 mm from its axis with a radius of 145 mm.
+    large, small, length, pitch, outer = 0.5 * 10.958057, 0.5 * 10.102316, 12.25, 51.56, 0.20697859599400753
+    axis = outer - math.atan((large - small) / length)
+    areas = large**2 + large * small + small**2
+    middle = 0.5 * length - 0.25 * length * (large**2 + 2.0 * large * small + 3.0 * small**2) / areas
+    cage = 1500.0 * math.pi / 30.0 * 0.5 * (1.0 - (large + small) * math.cos(axis) / pitch)
+    force = 7.85e-9 * math.pi * length / 3.0 * areas * cage**2 * (0.5 * pitch + middle * math.sin(axis))
+    rib = axis - math.asin(4.6 / 145.0)
+    assert_allclose(found.load[idle, 1], force / (math.cos(outer) + math.sin(outer) * math.tan(rib)), rtol=1e-3)
     assert_allclose(found.rib_load[idle, 0], 0.167 * 12.25 / 11.65, rtol=3e-3)
     assert laid(laws) <= 45
 

@@ -65,7 +65,7 @@ def test_pressure_across_adds_up_to_the_line_load_and_that_to_the_load(radius_y)
     # x = b(y) sin t makes the integrand cos^2, for which equal steps are exact.
     t = np.linspace(-0.5 * math.pi, 0.5 * math.pi, 65)
     width = contact.half_width_at(y)[:, None]
-    across = np.trapezoid(contact.pressure(y[:, None], width * np.sin(t)) * np.cos(t), t) * width[:, 0]
+    across = np.trapezoid(contact.pressure(y[:, None], x=width * np.sin(t)) * np.cos(t), t) * width[:, 0]
     np.testing.assert_allclose(contact.line_load_at(y), across, rtol=1e-13)
     nodes, weights = np.polynomial.legendre.leggauss(2)
     along = contact.half_length * weights @ contact.line_load_at(contact.half_length * nodes)
@@ -77,8 +77,11 @@ def test_nothing_is_carried_outside_the_ellipse():
     y = contact.half_length * np.array([-3.0, -1.0, 1.0, 1.001])
     for values in (contact.pressure(y), contact.half_width_at(y), contact.line_load_at(y)):
         assert values.tolist() == [0.0, 0.0, 0.0, 0.0]
-    assert float(contact.pressure(0.0, contact.half_width)) == 0.0
-    assert float(contact.pressure(0.8 * contact.half_length, 0.7 * contact.half_width)) == 0.0
+    # A solution's pressure has x first.
+    with pytest.raises(TypeError):
+        contact.pressure(0.0, 0.0)
+    assert float(contact.pressure(0.0, x=contact.half_width)) == 0.0
+    assert float(contact.pressure(0.8 * contact.half_length, x=0.7 * contact.half_width)) == 0.0
 
 
 def test_bodies_at_an_angle_have_the_gap_whose_curvatures_numpy_diagonalises():

@@ -35,7 +35,7 @@ def test_the_ellipse(radius_y):
 
 def test_pressure_everywhere():
     exact, found = both(load=1000.0)
-    expected = exact.pressure(found.y[None, :], found.x[:, None])
+    expected = exact.pressure(found.y[None, :], x=found.x[:, None])
     # Away from the edge, where the root of the distance is not resolved.
     inside = expected > 0.3 * exact.max_pressure
     np.testing.assert_allclose(found.pressure[inside], expected[inside], rtol=0.0, atol=1e-3 * exact.max_pressure)

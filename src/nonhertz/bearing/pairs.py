@@ -9,8 +9,9 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bearing.bearings import RollerBearing, TaperedRollerBearing
-from nonhertz.bearing.parts import MOST_ROLLERS, NO_CLEARANCE
+from nonhertz.bearing.parts import MOST_CLEARANCE, MOST_ROLLERS, NO_CLEARANCE
 from nonhertz.bearing.row import Row
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import check_list, finite, flag, positive
@@ -81,10 +82,14 @@ class Paired(Input):
             raise InputError("x", self.x, f"hold {count} positions, as many as turned", "give one for each row")
 
     @cross_check("bearings", "clearance")
-    def _check_held(self) -> None:
+    def _check_clearance(self) -> None:
         if self.clearance and not any(any(row.bears_axially) for row in self.bearings):
             condition = "be zero for rows that do not locate the inner ring axially"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
+        most = MOST_CLEARANCE * max(row.pitch for row in self.bearings)
+        if abs(self.clearance) > most:
+            condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
+            raise InputError("pair.clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
 
     @cross_check("bearings", "x", "turned", "clearance", "preload")
     def _check_preload(self) -> None:

@@ -84,7 +84,7 @@ class PointContact(ShortRepr):
         """Stiffness dQ / d delta = (3/2) Q / delta [N/mm], since Q grows with delta^(3/2)."""
         return 1.5 * self.load / self.approach
 
-    def pressure(self, y: ArrayLike, x: ArrayLike = 0.0) -> Array:
+    def pressure(self, y: ArrayLike, *, x: ArrayLike = 0.0) -> Array:
         """Return the pressure p0 sqrt(1 - (x/b)^2 - (y/a)^2) [MPa], zero outside the ellipse.
 
         Parameters

@@ -264,7 +264,7 @@ def _short(value: Any) -> str:
     if isinstance(value, tuple) and len(value) > _MOST_SHOWN:
         first, last = (f"{end:.6g}" if isinstance(end, float) else _short(end) for end in (value[0], value[-1]))
         return f"({first}, ..., {last})"
-    return repr(value).removesuffix(".0") if isinstance(value, float) else repr(value)
+    return f"{value:.12g}" if isinstance(value, float) else repr(value)
 
 
 def default_of(field: dataclasses.Field[Any]) -> Any:
