@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
@@ -60,6 +60,7 @@ def test_the_other_way_round_it_is_the_mirror_image(radius, seed):
     slope=st.sampled_from([0.05, 0.5]),
     seed=st.integers(0, 1000),
 )
+@example(300.0, 101, 12.5, 0.02, 0.01, False, 0.0, 0.0, False, 0.05, 0)  # a run as wide as the widest that is removed
 def test_a_step_is_the_same_from_either_side(radius, count, length, at, height, down, lean, noise, uneven, slope, seed):
     """The same points are kept and fitted, the same is warned of, and nothing is left out without a word."""
     assume(height < 0.02 or abs(at - 0.5) > 0.02)  # of two stretches of one length either may be the land

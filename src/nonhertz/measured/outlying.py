@@ -81,7 +81,8 @@ def _find_outlying(points: Points, limit: float) -> NDArray[np.bool_]:
 
 def _widest(points: Points) -> float:
     """Return the width [mm] up to which a dent or a bump is a scratch or a grain."""
-    return min(WIDEST_SHARE * points.span, WIDEST)
+    # Rounding of positions must not decide on a width that is the limit itself, as of points at equal distances.
+    return (1.0 + 1e-9) * min(WIDEST_SHARE * points.span, WIDEST)
 
 
 def _farthest(points: Points) -> int:
