@@ -225,11 +225,12 @@ def _speed(solution: BearingSolution, static: float) -> Iterator[Limit]:
     limit = reference_speed(solution.bearing, static) if speed else None
     if limit is None:
         return
-    words = "The speed of {speed} 1/min is below the thermal speed rating of {limit} 1/min (ISO 15312)."
     met = abs(speed) <= limit
+    share = 0.02 if isinstance(solution.bearing.rows[0].bearing, CylindricalThrustBearing) else 0.05
+    rating = f"the thermal speed rating of {{limit}} 1/min (ISO 15312, for a load of {share:g} C0)"
+    words = f"The speed of {{speed}} 1/min is below {rating}."
     if not met:
-        words = "The speed of {speed} 1/min exceeds the thermal speed rating of {limit} 1/min (ISO 15312): "
-        words += "whether the bearing stays cool is not judged."
+        words = f"The speed of {{speed}} 1/min exceeds {rating}: whether the bearing stays cool is not judged."
     yield Limit(
         True if met else None, finding("speed", words, speed=format_digits(speed, 4), limit=format_digits(limit, 3))
     )
