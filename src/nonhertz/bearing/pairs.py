@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import accumulate
 from typing import Annotated, Any
@@ -86,8 +87,10 @@ class Paired(Input):
         if self.clearance and not any(any(row.bears_axially) for row in self.bearings):
             condition = "be zero for rows that do not locate the inner ring axially"
             raise InputError("pair.clearance", self.clearance, condition, "leave it out, or use rows with ribs")
-        most = MOST_CLEARANCE * max(row.pitch for row in self.bearings)
-        if abs(self.clearance) > most:
+        # As for a row, whose radial clearance is the axial one times 2 tan(contact angle).
+        radial = max(2.0 * math.tan(row.nominal_angle) / row.pitch for row in self.bearings) * abs(self.clearance)
+        if radial > MOST_CLEARANCE:
+            most = MOST_CLEARANCE / radial * abs(self.clearance)
             condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
             raise InputError("pair.clearance", self.clearance, condition, "give it in mm: 20 um are 0.02")
 
