@@ -4,7 +4,7 @@ import { watchCatalogue } from "./catalogue.js";
 import { figure, head, pinnedAs, whenResized } from "./chart.js";
 import { noteNumbers } from "./csv.js";
 import { byId } from "./elements.js";
-import { AWAY, Live, asked, post } from "./live.js";
+import { AWAY, Live, answerTo, post } from "./live.js";
 import { fragment } from "./link.js";
 import { showMistakes } from "./mistakes.js";
 import { drawPanels } from "./panel.js";
@@ -46,7 +46,7 @@ const live = new Live({
   wish: () => (page.answer?.file_method === "strips" ? "strips" : null),
   together: false,
   rest: REST,
-  held: () => work.edits.dragging || performance.now() - page.moved < HELD,
+  isBusy: () => work.edits.dragging || performance.now() - page.moved < HELD,
   counted: `${SLICED}, strips are being solved`,
   answered(answer, { document, since }) {
     const begun = performance.now();
@@ -160,7 +160,7 @@ async function askLines(answer, document, number) {
   if (!asks && answer.shown === number) return;
   answer.wanted = number;
   while (!asks && answer.wanted !== answer.shown) {
-    const more = await asked("bearing/roller", { document, method: answer.method, roller: answer.wanted });
+    const more = await answerTo("bearing/roller", { document, method: answer.method, roller: answer.wanted });
     if (!more?.ok) break;
     [answer.shown, answer.lines] = [more.shown, more.lines];
   }

@@ -6,7 +6,7 @@
 import { extent } from "./chart.js";
 import { byId } from "./elements.js";
 import { slid } from "./fields.js";
-import { AGAIN, asked } from "./live.js";
+import { AGAIN, answerTo } from "./live.js";
 import { digits, rounded } from "./numbers.js";
 import { drawPanels } from "./panel.js";
 import { withValue } from "./paths.js";
@@ -73,7 +73,7 @@ export class Curve {
 
   /** Vary another field, around the value that it has. @param {string} path */
   choose(path) {
-    const field = this.fields().find((each) => each.path === path);
+    const field = this.fields().find((field) => field.path === path);
     if (!field) return;
     this.path = path;
     const [least, most] = d3.extent([field.span.low, field.span.high]);
@@ -141,7 +141,7 @@ export class Curve {
     this.draw();
     const { document, path } = this;
     while (values.length) {
-      const answer = await asked("curve", { document, path, values: values.slice(0, AT_ONCE) }, stop.signal);
+      const answer = await answerTo("curve", { document, path, values: values.slice(0, AT_ONCE) }, stop.signal);
       if (stop.signal.aborted) return;
       if (!answer) {
         await new Promise((again) => window.setTimeout(again, AGAIN));
@@ -269,7 +269,7 @@ function capital(text) {
 function words(quantity, field, x, y) {
   const solved = y.flatMap((value, place) => (value === null ? [] : [{ value, at: x[place] }]));
   if (!solved.length) return `${capital(quantity.label)} over ${field.label()}: no value has a solution.`;
-  const told = (each) => `${amount(each.value, quantity.unit)} at ${digits(each.at)} ${field.unit}`;
+  const inWords = (point) => `${amount(point.value, quantity.unit)} at ${digits(point.at)} ${field.unit}`;
   const sorted = [...solved].sort((one, other) => one.value - other.value);
-  return `${capital(quantity.label)} over ${field.label()}: least ${told(sorted[0])}, largest ${told(sorted[sorted.length - 1])}.`;
+  return `${capital(quantity.label)} over ${field.label()}: least ${inWords(sorted[0])}, largest ${inWords(sorted[sorted.length - 1])}.`;
 }

@@ -55,7 +55,7 @@ async function dropped(event, taker) {
 function placeOf(event, taker) {
   const at = /** @type {HTMLElement} */ (event.target);
   const path = /** @type {HTMLElement | null} */ (at.closest?.("[data-group]") ?? null)?.dataset.group ?? "";
-  const [body, within] = Object.entries(taker.bodies).find(([, each]) => `${path}.`.startsWith(`${each}.`)) ?? [];
+  const [body, within] = Object.entries(taker.bodies).find(([, prefix]) => `${path}.`.startsWith(`${prefix}.`)) ?? [];
   if (!body) return null;
   const whole = taker.isTable(path) ? path : within;
   const group = /** @type {HTMLElement} */ (at.closest(`[data-group="${whole}"]`));
@@ -64,6 +64,6 @@ function placeOf(event, taker) {
 
 /** Show where a file would go. @param {HTMLElement | null} target */
 function light(target) {
-  for (const each of document.querySelectorAll(".drop-target")) if (each !== target) each.classList.remove("drop-target");
+  for (const element of document.querySelectorAll(".drop-target")) if (element !== target) element.classList.remove("drop-target");
   target?.classList.add("drop-target");
 }

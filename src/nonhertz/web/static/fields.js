@@ -82,10 +82,10 @@ export function shownIn(value, base, name, chosen) {
   const written = writtenAs(value, base);
   const number = valueIn(value, base);
   if (!Number.isFinite(number)) return { text: inWords(value) ?? "", word: chosen ?? readIn(usualUnit(base, name, 0)) };
-  const kept =
+  const isOwn =
     written &&
     (written.unit === chosen || (!chosen && (unitsCode() === "si" || read(written.unit)[0] === written.unit)));
-  if (kept) return { text: written.number, word: written.unit };
+  if (isOwn) return { text: written.number, word: written.unit };
   const usual = chosen ?? usualUnit(base, name, Math.abs(number));
   const word = chosen ?? (known[readIn(usual)] ? readIn(usual) : usual);
   const size = known[word] ?? 1;
@@ -107,7 +107,7 @@ export function writtenIn(value, word, base) {
  * @param {string} [word] the unit beside it
  * @param {string} [base]
  */
-export function said(kind, text, word, base) {
+export function toValue(kind, text, word, base) {
   const trimmed = text.trim();
   if (trimmed === "") return undefined;
   if (kind === "boolean") return trimmed === "true";
@@ -201,8 +201,8 @@ export function nameOf(control) {
   for (let group = control.closest("fieldset"); group; group = group.parentElement?.closest("fieldset") ?? null)
     groups.unshift(group.querySelector("legend")?.textContent?.trim() ?? "");
   // The outermost group says "body" or "load", and a profile's says "profile" again.
-  const told = groups.slice(1).filter((group, place, all) => group !== name && !all[place + 1]?.startsWith(group));
-  return [...told, name].join(", ");
+  const outer = groups.slice(1).filter((group, place, all) => group !== name && !all[place + 1]?.startsWith(group));
+  return [...outer, name].join(", ");
 }
 
 /** The unit that a field is in. @param {Control} control */

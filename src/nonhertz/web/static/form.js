@@ -4,7 +4,7 @@
 // and are requested when the slider rests.
 
 import { byId } from "./elements.js";
-import { choicesOf, legible, nameOf, placeOf, rangeFor, said, shownIn } from "./fields.js";
+import { choicesOf, legible, nameOf, placeOf, rangeFor, toValue, shownIn } from "./fields.js";
 import { slid, textAt, textOf, valueIn, writtenIn } from "./fields.js";
 import { marked, whenMarked } from "./mistakes.js";
 import { columns, split } from "./numbers.js";
@@ -199,7 +199,7 @@ function Members(props) {
   const before = useRef(/** @type {any} */ ({}));
   const { value, table, form } = props;
   const of = [value, table, form.state, form.document.bearing?.kind, marked];
-  if (of.some((each, at) => each !== before.current.of?.[at])) before.current = { of, shown: members(props) };
+  if (of.some((dependency, at) => dependency !== before.current.of?.[at])) before.current = { of, shown: members(props) };
   return before.current.shown;
 }
 
@@ -309,16 +309,16 @@ function Member({ form, table, within, place, value }) {
 /** Of a key that is given in place of another, both, with the one that is shown first. @returns {Option[]} */
 function alternatives(form, table, place) {
   const [name, around] = [lastOf(place), place.slice(0, -1)];
-  const pair = (table["x-pairs"] ?? []).find((each) => each.includes(name)) ?? [];
+  const pair = (table["x-pairs"] ?? []).find((keys) => keys.includes(name)) ?? [];
   const sizes = (pair.includes("drop") && form.state.bodies[pathOf(around.slice(0, -2))]?.sizes) || {};
-  const start = (each) => sizes[each] ?? form.schema.start(each, table.properties[each], form.rangesIn(around));
-  const without = (each) =>
-    pair.filter((other) => other !== each).map((other) => [pathOf([...around, other]), undefined]);
+  const start = (key) => sizes[key] ?? form.schema.start(key, table.properties[key], form.rangesIn(around));
+  const without = (key) =>
+    pair.filter((other) => other !== key).map((other) => [pathOf([...around, other]), undefined]);
   return [...pair]
     .sort((one, other) => Number(other === name) - Number(one === name))
-    .map((each) => {
-      const at = [...around, each];
-      return { label: labelOf(at), edits: [...without(each), [pathOf(at), start(each)]] };
+    .map((key) => {
+      const at = [...around, key];
+      return { label: labelOf(at), edits: [...without(key), [pathOf(at), start(key)]] };
     });
 }
 
@@ -344,15 +344,15 @@ function Part({ form, place, holds, value, optional }) {
 function ValueOrTable({ form, place, holds, value, ...more }) {
   const [name, path, table, label] = [String(lastOf(place)), pathOf(place), holds.tables[0], labelOf(place)];
   const needed = form.schema.needed(table);
-  const start = (each) => form.schema.start(each, table.properties[each], form.rangesIn(place));
-  const several = Object.fromEntries(needed.map((each) => [each, start(each)]));
+  const start = (key) => form.schema.start(key, table.properties[key], form.rangesIn(place));
+  const several = Object.fromEntries(needed.map((key) => [key, start(key)]));
   const inner = isTable(value) ? value[name] : undefined;
   const usual = NUMERIC.includes(holds.kind) ? (form.range(place)?.start ?? 1) : holds.words[0];
   const simple = Array.isArray(inner) && inner.length ? inner[inner.length >> 1] : usual;
   if (!isTable(value) && value !== undefined && name in several) several[name] = several[name].map(() => value);
   const shapes = [
     { label, edits: [[path, simple]] },
-    { label: `${label} by ${needed.map((each) => labelOf([each])).join(" and ")}`, edits: [[path, several]] },
+    { label: `${label} by ${needed.map((key) => labelOf([key])).join(" and ")}`, edits: [[path, several]] },
   ];
   if (!isTable(value)) return html`<${Value} ...${{ ...more, form, place, holds, value, swap: shapes }} />`;
   return html`<${Group} place=${place} help=${holds.help} quiet>
@@ -378,8 +378,8 @@ function OneOrTwo({ form, place, holds, value, within, swap, usual }) {
   if (!isPair) return html`<${Value} ...${{ form, place, holds, value, usual, swap: alone ? [] : options }} />`;
   const range = form.range(place);
   const one = { form, holds, range: range && { ...range, low: -range.high } };
-  const entry = (each, at) =>
-    html`<${Value} key=${at} ...${{ ...one, place: [...place, at + 1], value: each, label: holds.names[at] }} />`;
+  const entry = (item, at) =>
+    html`<${Value} key=${at} ...${{ ...one, place: [...place, at + 1], value: item, label: holds.names[at] }} />`;
   return html`<${Group} place=${place} help=${holds.help} quiet>
     <${Shape} ...${{ form, place, options }} />${value.map(entry)}<//>`;
 }
@@ -401,7 +401,7 @@ function Swap({ form, options, ...attributes }) {
 /** A list of tables, or a single table in place of a list of one. */
 function List({ form, place, holds, value }) {
   const [path, tables] = [pathOf(place), holds.entries];
-  const entry = (each, at) => html`<${Entry} key=${lastOf(at)} ...${{ form, tables, value: each, place: at }} />`;
+  const entry = (item, at) => html`<${Entry} key=${lastOf(at)} ...${{ form, tables, value: item, place: at }} />`;
   if (isTable(value)) return entry(value, place);
   if (value !== undefined && !Array.isArray(value))
     return html`<${Stray} ...${{ form, place, value, help: holds.help }} />`;
@@ -410,7 +410,7 @@ function List({ form, place, holds, value }) {
   const figure = html`<figure data-figure="profile-${body}" class="profile-figure">
     <figcaption></figcaption><div class="drawing"></div></figure>`;
   return html`<${Group} place=${place} help=${holds.help}>${body && figure}
-    ${(value ?? []).map((each, number) => entry(each, [...place, number + 1]))}
+    ${(value ?? []).map((item, number) => entry(item, [...place, number + 1]))}
     <${Add} ...${{ form, place, tables: form.schema.ofNumbers(tables), value, body }} /><//>`;
 }
 
@@ -439,7 +439,7 @@ function Entry({ form, tables, value, place }) {
   // Of an unknown kind the keys are unknown, too.
   const table = isKinded
     ? (tables.find(({ properties }) => properties.kind.const === value.kind) ?? { properties: { kind: {} } })
-    : tables.reduce((best, each) => (overlap(each) > overlap(best) ? each : best));
+    : tables.reduce((best, table) => (overlap(table) > overlap(best) ? table : best));
   const label = `${labelOf(place)}${isKinded && typeof value.kind === "string" ? `: ${value.kind}` : ""}`;
   const removal = typeof lastOf(place) === "number" && html`<${Remove} ...${{ form, place, label }} />`;
   return html`<${Group} ...${{ place, label, help: table.description, before: removal }}>
@@ -465,7 +465,7 @@ function Group({ place, label = labelOf(place), help, before, quiet, children })
 /** The row of a field: its label, which may be a choice between keys or shapes, and what is in it. */
 function Row({ form, place, label = labelOf(place), swap = [], help = "", removable, style = "", children }) {
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
-  const words = `choice: ${swap.map((each) => each.label).join("; ")}`;
+  const words = `choice: ${swap.map((option) => option.label).join("; ")}`;
   const estimated = form?.isEstimate(path);
   const state = marked.has(path) ? "wrong" : estimated ? "estimated" : "";
   return html`<div class="field ${style} ${state}" data-path=${path}>
@@ -504,7 +504,7 @@ function Value({ form, place, holds, value, usual, label, swap, range = form.ran
   const named = kind === "boolean" ? { true: "yes", false: "no" } : {};
   const options = [...new Set([...(kind === "boolean" ? ["true", "false"] : words), ...(text ? [text] : [])])];
   const left = usual === undefined || usual === "" ? "not given" : `${named[usual] ?? usual} (default)`;
-  const take = ({ target, timeStamp }) => form.edit(pathOf(place), said(kind, target.value), timeStamp);
+  const take = ({ target, timeStamp }) => form.edit(pathOf(place), toValue(kind, target.value), timeStamp);
   const shown = [["", left], ...options.map((word) => [word, named[word] ?? word])];
   const props = { ...control(place), value: text, options: shown };
   return html`<${Row} ...${shared}><${Select} ...${props} data-kind=${kind} onInput=${take} /><//>`;
@@ -523,7 +523,7 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
   const last = useRef(0); // position of the slider
   const [, redraw] = useState(0);
   const [path, id] = [pathOf(place), idOf(pathOf(place))];
-  const name = String(place.findLast((each) => typeof each === "string"));
+  const name = String(place.findLast((part) => typeof part === "string"));
   const numeric = NUMERIC.includes(kind);
   const sizes = numeric ? choicesOf(base) : {};
   const units = Object.keys(sizes);
@@ -532,7 +532,7 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
   const { text, word } = { ...shown, ...(draft.current && { text: draft.current.text }) };
   const number = value === undefined ? NaN : valueIn(value, base);
   const take = (written, since, byHand = false) => {
-    const next = said(kind, written, word, base);
+    const next = toValue(kind, written, word, base);
     draft.current = byHand ? { text: written, value: next } : null;
     chosen.current = word;
     form.edit(path, next, since);
@@ -556,12 +556,12 @@ function Text({ form, place, kind, value, base = "", words = [], usual, range, l
   const [unit, factor] = [legible(word || base), sizes[word] ?? 1];
   const note = (slider) =>
     slider && slid.set(slider, { path, value: number, span, unit, factor, label: () => nameOf(byId(id)) });
-  const suggestions = words.map((each) => html`<option value=${each} />`);
+  const suggestions = words.map((word) => html`<option value=${word} />`);
   const converted = typeof usual === "number" && usual && units.length;
   const placeholder = converted ? shownIn(usual, base, name, word).text : (usual ?? "");
   const chooser = {
     ...{ class: "unit", "aria-label": `unit of ${label}`, value: word, onInput: convert },
-    options: units.map((each) => [each, legible(each), { "data-factor": sizes[each] }]),
+    options: units.map((unit) => [unit, legible(unit), { "data-factor": sizes[unit] }]),
   };
   return html`<${Row} ...${{ ...more, form, place, label }}>
     <input type="text" ...${control(place)} data-kind=${kind} data-unit=${base || undefined} value=${text}

@@ -33,8 +33,8 @@ export async function shared(hash) {
   const document = fields.get("c");
   if (!document) return null;
   const names = fields.getAll("n");
-  const pinned = fields.getAll("p").map(async (each, place) => ({
-    document: await unpackedCase(each),
+  const pinned = fields.getAll("p").map(async (packed, place) => ({
+    document: await unpackedCase(packed),
     name: names[place] ? await unpacked(names[place]).catch(() => "") : "",
   }));
   const text = fields.get("t");

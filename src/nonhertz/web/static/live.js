@@ -24,7 +24,7 @@ const ATTEMPTS = 4; // while it is busy
  *   wish: () => string | null,
  *   together: boolean,
  *   rest: number,
- *   held?: () => boolean,
+ *   isBusy?: () => boolean,
  *   counted?: string,
  *   answered: (answer: any, wanted: Pending, more: boolean) => void,
  *   more: (answer: any, wanted: Pending, begun: number) => void,
@@ -34,7 +34,7 @@ const ATTEMPTS = 4; // while it is busy
  * }} Page
   * `request` gives address and body of a request; `wish` what is wanted beyond the quick answer, the stresses in a body
  * or strips, null for nothing. `together`: that comes with the quick answer while it is quick enough; otherwise it is
- * requested after `rest` ms without a new document, unless a slider is still `held`. `counted` is shown, with the
+ * requested after `rest` ms without a new document, unless the page `isBusy`, as while a slider is dragged. `counted` is shown, with the
  * seconds, while it is computed. The others are called on an answer, on more, while waiting, when nothing is left to
  * request, and when there is no answer.
  */
@@ -71,7 +71,7 @@ export async function send(place, type, body, signal) {
  * @param {object} body
  * @param {AbortSignal} [signal]
  */
-export async function asked(place, body, signal) {
+export async function answerTo(place, body, signal) {
   try {
     const response = await post(place, body, signal);
     if (response.status === 204) return null;
@@ -119,7 +119,7 @@ export class Live {
   /** Ask for what else is wished of the latest document, when the hand rests. */
   wantMore() {
     this.forgetMore();
-    const ask = () => (this.page.held?.() ? this.wantMore() : void this.runMore());
+    const ask = () => (this.page.isBusy?.() ? this.wantMore() : void this.runMore());
     if (this.latest && this.page.wish()) this.rest = window.setTimeout(ask, this.page.rest);
   }
 
@@ -203,7 +203,7 @@ export class Live {
    */
   async ask(wanted, more, signal) {
     const wish = this.page.wish();
-    const answer = await asked(...this.page.request(wanted.document, more, wish), signal);
+    const answer = await answerTo(...this.page.request(wanted.document, more, wish), signal);
     return answer && { ...answer, wish };
   }
 }

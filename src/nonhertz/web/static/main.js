@@ -16,7 +16,7 @@ let refining = 0;
 const view = new View((profiles) => work.drawProfiles(profiles));
 const curve = new Curve(byId("case"));
 const sketch = new Sketch(byId("case"));
-const strength = new Strength((found) => view.searched(found));
+const strength = new Strength((answer) => view.searched(answer));
 
 const live = new Live({
   request: (document, stress, body) => ["solve", { document, stress, body: body ?? "a" }],

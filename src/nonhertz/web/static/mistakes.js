@@ -33,7 +33,7 @@ export function showMistakes(mistakes) {
   const title = mistakes.length === 1 ? "1 mistake" : `${mistakes.length} mistakes`;
   render(
     html`<h2 id="mistakes-title">${title}</h2>
-      <ul id="mistakes-list">${placed.map((each) => html`<li><${Entry} ...${each} /></li>`)}</ul>`,
+      <ul id="mistakes-list">${placed.map((mistake) => html`<li><${Entry} ...${mistake} /></li>`)}</ul>`,
     byId("mistakes"),
   );
 }

@@ -24,8 +24,8 @@ export function quantity(text) {
  * @returns {{number: string, unit: string} | null}
  */
 export function split(text) {
-  const found = PLAIN.test(text.trim()) ? null : WITH_UNIT.exec(text.trim());
-  return found ? { number: found[1], unit: UNITS[found[2]] ?? found[2].replace(/[\u00b5\u03bc]/g, "u") } : null;
+  const match = PLAIN.test(text.trim()) ? null : WITH_UNIT.exec(text.trim());
+  return match ? { number: match[1], unit: UNITS[match[2]] ?? match[2].replace(/[\u00b5\u03bc]/g, "u") } : null;
 }
 
 /**

@@ -262,7 +262,7 @@ function look({ colour = "first", dash = "solid" }) {
 
 /** @param {Axis} axis */
 function scale({ factor, range, ticks, logarithmic }) {
-  const words = new Map(ticks?.map(([place, said]) => [factor * place, said]));
+  const words = new Map(ticks?.map(([place, label]) => [factor * place, label]));
   return {
     ...(ticks ? { ticks: [...words.keys()] } : {}),
     ...(logarithmic ? { type: "log", ticks: 6 } : {}),

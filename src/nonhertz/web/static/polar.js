@@ -75,7 +75,7 @@ export class Polar {
     const radius = (load) => HOLE + size + ((RIM - HOLE - size) * load) / upright.range[1];
     const within = chosen >= row.first && chosen < row.first + row.count;
     const bar = ({ x, y, width, aside }, j) => barOf(x[j] + aside - width / 2, x[j] + aside + width / 2, HOLE + size, radius(y[j]));
-    const said = (load) => `${digits(upright.factor * load)} ${upright.unit}`;
+    const inUnit = (load) => `${digits(upright.factor * load)} ${upright.unit}`;
     for (const [j, parts] of picture.rollers.entries()) {
       const number = row.first + j;
       const at = inner.x[j];
@@ -90,7 +90,7 @@ export class Polar {
       set(parts.group, "aria-pressed", String(here));
       // One of the rollers is reached by the tab key, the others from there by arrow keys.
       set(parts.group, "tabindex", here || (!within && j === 0) ? "0" : "-1");
-      const loads = `${said(inner.y[j])} inner, ${said(outer.y[j])} outer ring`;
+      const loads = `${inUnit(inner.y[j])} inner, ${inUnit(outer.y[j])} outer ring`;
       set(parts.group, "aria-label", `roller ${number + 1} at ${degrees(at)} degrees: ${loads}`);
     }
     drawGrid(picture.grid, along.ticks, marks.filter(({ kind }) => kind === "words"), radius);

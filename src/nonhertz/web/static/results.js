@@ -37,8 +37,8 @@ export function keyNumbers({ numbers }, stress) {
  */
 export function writeKeyNumbers(numbers, pins) {
   const [first] = pins;
-  const number = (each) => html`<${Tile} key=${each.name} now=${each} before=${first && numberOf(first, each)} />`;
-  render(numbers.map(number), byId("key-numbers"));
+  const tile = (number) => html`<${Tile} key=${number.name} now=${number} before=${first && numberOf(first, number)} />`;
+  render(numbers.map(tile), byId("key-numbers"));
   byId("pins").hidden = !first;
   render(first && html`<${Pins} pins=${pins} numbers=${numbers} />`, byId("pins"));
 }
@@ -58,13 +58,13 @@ function Tile({ now, before }) {
 
 /** A row for each pinned case and one for that in the form, with differences from the first. */
 function Pins({ pins, numbers }) {
-  const cell = (each, row) => {
-    const number = numberOf(row, each);
-    const before = row !== pins[0] && numberOf(pins[0], each);
-    return html`<td key=${each.name}>${number ? `${number.value} ${number.unit}` : "–"}
+  const cell = (column, row) => {
+    const number = numberOf(row, column);
+    const before = row !== pins[0] && numberOf(pins[0], column);
+    return html`<td key=${column.name}>${number ? `${number.value} ${number.unit}` : "–"}
       ${number && before && html`<small>${change(number, before)}</small>`}</td>`;
   };
-  const line = (row) => numbers.map((each) => cell(each, row));
+  const line = (row) => numbers.map((column) => cell(column, row));
   const pinned = (pin) => html`<tr key=${pin.id}>
     <th scope="row"><input type="text" value=${pin.name} aria-label="name of a pinned case" title=${pin.name}
       autocomplete="off" spellcheck=${false} onInput=${({ target }) => pin.rename(target.value)} />

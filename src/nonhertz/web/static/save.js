@@ -28,14 +28,14 @@ export function standing(host) {
   // A colour scale is a drawing of its own above the figure's.
   const parts = /** @type {SVGSVGElement[]} */ ([...host.querySelectorAll(".drawing svg")]);
   if (!parts.length) return null;
-  const width = Math.max(...parts.map((each) => sizeOf(each, "width")));
+  const width = Math.max(...parts.map((svg) => sizeOf(svg, "width")));
   let height = TOP;
-  const copies = parts.map((each) => {
-    const copy = /** @type {SVGSVGElement} */ (each.cloneNode(true));
-    dress(each, copy);
+  const copies = parts.map((svg) => {
+    const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
+    dress(svg, copy);
     for (const aside of copy.querySelectorAll("style")) aside.remove();
     copy.setAttribute("y", String(height));
-    height += sizeOf(each, "height");
+    height += sizeOf(svg, "height");
     return copy;
   });
   const ground = drawn("rect", { width: "100%", height: "100%", fill: getComputedStyle(host).backgroundColor });

@@ -121,9 +121,9 @@ function short(length) {
 
 /** @param {["a" | "b", Seen][]} pairs */
 function words(pairs) {
-  const told = pairs.map(([name, { curvature, interval: [low, high] }]) => {
+  const bodies = pairs.map(([name, { curvature, interval: [low, high] }]) => {
     const round = curvature ? `${curvature < 0 ? "hollow, " : ""}diameter ${amount(Math.abs(2 / curvature), "mm")}` : "flat";
     return `body ${name}, ${round}${low === null || high === null ? "" : `, ${amount(high - low, "mm")} long`}`;
   });
-  return `At scale: ${told.join(" pressed on ")}.`;
+  return `At scale: ${bodies.join(" pressed on ")}.`;
 }

@@ -11,9 +11,9 @@ const REST = 700; // ms without an edit before the search begins
 /** @typedef {{verdict: string, sentence: string}} Check */
 
 export class Strength {
-  /** @param {(answer: any) => void} found called with an answer, which has the largest stress of the whole body */
-  constructor(found) {
-    this.found = found;
+  /** @param {(answer: any) => void} onAnswer called with an answer, which has the largest stress of the whole body */
+  constructor(onAnswer) {
+    this.onAnswer = onAnswer;
     this.rest = 0;
     /** @type {AbortController | null} */
     this.asking = null;
@@ -52,7 +52,7 @@ export class Strength {
       const answer = await (await post("strength", { document, body }, stop.signal)).json();
       if (stop.signal.aborted) return;
       this.show(body, answer.checks ?? [], answer.mistakes?.[0].sentence ?? "");
-      this.found(answer);
+      this.onAnswer(answer);
     } catch {
       if (stop.signal.aborted) return;
       this.show(body, [], AWAY);

@@ -28,7 +28,7 @@ export class Tilt {
     this.middle = 0;
     this.tilt = 0;
     /** @type {Held | null} */
-    this.held = null;
+    this.grip = null;
     this.handles = document.createElement("div");
     this.handles.className = "handles";
     host.append(this.handles);
@@ -36,7 +36,7 @@ export class Tilt {
 
   /** The vertical axis while a handle is held. @returns {[number, number] | null} */
   get limits() {
-    return this.held?.limits ?? null;
+    return this.grip?.limits ?? null;
   }
 
   /**
@@ -47,11 +47,11 @@ export class Tilt {
    */
   place({ x: y, y: before }, tilt, axes) {
     [this.axes, this.tilt, this.middle] = [axes, tilt, 0.5 * (y[0] + y[y.length - 1])];
-    this.learn(before[d3.bisectCenter(y, this.held?.y ?? 0)], tilt);
+    this.learn(before[d3.bisectCenter(y, this.grip?.y ?? 0)], tilt);
     const drawn = y.filter((_, place) => isWithin(before[place], axes.limits));
     const [field, [low, high]] = [fieldOf(), axes.limits];
     const handle = (side, outermost) => {
-      const at = this.held?.side === side ? this.held.y : outermost; // the one that is held stays at its place along y
+      const at = this.grip?.side === side ? this.grip.y : outermost; // the one that is held stays at its place along y
       if (!field || at === undefined || at === this.middle) return null;
       const distance = Math.min(high, Math.max(low, before[d3.bisectCenter(y, at)] ?? high));
       const end = { y: at, distance, left: axes.x(at), bottom: axes.height - axes.y(distance) };
@@ -67,11 +67,11 @@ export class Tilt {
    * @param {number} tilt
    */
   learn(distance, tilt) {
-    if (!this.held || distance === null) return;
-    const { y, distance: first, tilt: began } = this.held;
+    if (!this.grip || distance === null) return;
+    const { y, distance: first, tilt: began } = this.grip;
     const turned = tilt - began;
     const lever = (first - distance) / turned / (y - this.middle);
-    if (Math.abs(turned) >= LEARNING && lever > 1 / UNLIKE && lever < UNLIKE) this.held.lever = lever;
+    if (Math.abs(turned) >= LEARNING && lever > 1 / UNLIKE && lever < UNLIKE) this.grip.lever = lever;
   }
 
   /** @param {PointerEvent} event @param {string} side @param {End} end */
@@ -80,13 +80,13 @@ export class Tilt {
     /** @type {HTMLElement} */ (event.target).setPointerCapture(event.pointerId);
     const { limits, y } = this.axes;
     const scale = (limits[1] - limits[0]) / (y(limits[0]) - y(limits[1])); // mm of a pixel
-    this.held = { ...end, side, at: event.clientY, tilt: this.tilt, lever: 1, limits, scale };
+    this.grip = { ...end, side, at: event.clientY, tilt: this.tilt, lever: 1, limits, scale };
   }
 
   /** @param {PointerEvent} event */
   drag(event) {
-    if (!this.held) return;
-    const { y, at, tilt: began, lever, scale } = this.held;
+    if (!this.grip) return;
+    const { y, at, tilt: began, lever, scale } = this.grip;
     const risen = scale * (at - event.clientY);
     const field = fieldOf();
     if (!field) return;
@@ -96,8 +96,8 @@ export class Tilt {
   }
 
   release() {
-    if (!this.held) return;
-    this.held = null;
+    if (!this.grip) return;
+    this.grip = null;
     this.redraw();
   }
 

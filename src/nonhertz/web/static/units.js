@@ -13,10 +13,10 @@ const SPELLED = { "µm": "micrometres", "µin": "microinches" };
 
 /** @type {Record<string, [string, number]>} by unit of the program: the one in its place, and how many make one of that */
 const table = JSON.parse(byId("us").textContent);
-let chosen = kept();
+let chosen = storedUnits();
 
 /** @returns {string} */
-function kept() {
+function storedUnits() {
   try {
     return localStorage.getItem(KEPT) === US ? US : SI;
   } catch {
@@ -39,7 +39,7 @@ export function watchUnits(changed) {
     button.textContent = chosen === US ? "SI units" : "US units";
     button.title = `Read results in ${chosen === US ? "mm, N and MPa" : "in, lbf and ksi"}`;
     const names = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-read]"));
-    for (const each of names) each.textContent = named(each.dataset.read ?? "");
+    for (const element of names) element.textContent = named(element.dataset.read ?? "");
   };
   button.addEventListener("click", () => {
     chosen = chosen === US ? SI : US;

@@ -141,8 +141,8 @@ export class Work {
 
   /** @param {-1 | 1} by */
   async step(by) {
-    const found = this.edits.step(by);
-    if (found) await this.show(found);
+    const state = this.edits.step(by);
+    if (state) await this.show(state);
   }
 
   /** Undo and redo, except in text fields, which have their own undo. @param {KeyboardEvent} event */
@@ -175,7 +175,7 @@ export class Work {
       },
       open: () => void this.form.open(pin.document),
       remove: () => {
-        this.setPins(this.pins.filter((each) => each !== pin));
+        this.setPins(this.pins.filter((other) => other !== pin));
         /** @type {HTMLElement} */ (document.querySelector("#pins button") ?? byId("pin")).focus();
       },
     };
@@ -205,7 +205,7 @@ export class Work {
         notice("link", AWAY);
       }
     }
-    this.setPins([...pins, ...this.pins.filter((each) => !pinned.includes(each))]);
+    this.setPins([...pins, ...this.pins.filter((pin) => !pinned.includes(pin))]);
   }
 
   async copyLink() {
@@ -269,11 +269,11 @@ export class Work {
   /** Show the document in the address, if it holds one. @param {import("./types.js").Estimates} [estimates] */
   async fromLink(estimates) {
     try {
-      const found = await shared(window.location.hash);
-      if (!found) return false;
+      const link = await shared(window.location.hash);
+      if (!link) return false;
       this.pins = [];
-      void this.pinAll(found.pinned);
-      return await this.show({ ...found, estimates });
+      void this.pinAll(link.pinned);
+      return await this.show({ ...link, estimates });
     } catch (error) {
       notice("link", /** @type {Error} */ (error).message);
       return false;
