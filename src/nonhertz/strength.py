@@ -366,8 +366,9 @@ class _BodyCheck:
         if depth is None:
             return
         core = material.core_yield_strength
-        stress = pressure * von_mises_on_axis(material.poisson)[1][np.minimum(depth / wide, 10.0) <= DEPTHS].max()
-        if not (usual and (core is None or CLEAR * stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
+        below = np.minimum(depth / wide, 10.0) <= DEPTHS
+        stress = CLEAR * pressure * von_mises_on_axis(material.poisson)[1][below].max()
+        if not (usual and (core is None or stress <= core) and CLEAR * _DEEPEST_SHEAR * wide <= depth):
             yield _not_known("core", f"Whether the case or core of {self.name} yields can only be decided by a search.")
             return
         if core is not None:

@@ -94,6 +94,12 @@ def test_a_tilt_that_leaves_one_end_in_contact_is_remarked_and_strains_nothing(t
     assert remark not in found.findings
 
 
+def test_a_hollow_profile_that_touches_at_both_ends_is_remarked_as_such():
+    hollow = nh.Roller(diameter=15.0, length=20.0, corner_radius=0.5, profile=nh.profile.crown(-3000.0))
+    (remark,) = solved(hollow, nh.Ring(diameter=80.0, length=24.0), load=2e3).remarks
+    assert str(remark).endswith("of 20 mm are in contact, at both ends.")
+
+
 @pytest.mark.parametrize(
     ("radius", "tilt", "load"),
     [(4000.0, 0.5e-3, 20e3), (4000.0, 3e-3, 20e3), (200.0, 0.0, 2e3), (200.0, 0.01, 2e3)],

@@ -7,13 +7,14 @@ section 4.2); so the maximum shear stress is p0 (s - s^2 / r).
 
 import dataclasses
 import math
+import re
 
 import pytest
 from scipy.optimize import minimize_scalar
 
 import nonhertz as nh
 from nonhertz.amounts import format_input
-from nonhertz.strength import CRITERIA, CheckStatus, assess
+from nonhertz.strength import CRITERIA, CheckStatus, assess, judge
 from nonhertz.subsurface import extremes
 
 MODULUS, POISSON = 207000.0, 0.3
@@ -242,3 +243,16 @@ def test_stresses_at_hand_are_not_searched_again_and_those_of_the_other_body_ref
     assert assess(plain, largest=largest).largest is largest
     with pytest.raises(nh.InputError, match="be the largest stresses of body b"):
         assess(plain, body="b", largest=largest)
+
+
+def test_what_the_core_bears_at_most_without_a_search_is_not_exceeded():
+    """A crowned roller in a hollow ring, whose stress at the depth of the case is above that below its line load."""
+    steel = nh.Material(206000.0, 0.3, yield_strength=1500.0, core_yield_strength=800.0)
+    roller = nh.Roller(
+        diameter=15.0, length=20.0, corner_radius=0.5, profile=nh.profile.crown(800.0), material=steel, case_depth=0.8
+    )
+    contact = nh.Contact(roller, nh.Ring(diameter=-80.0, material=steel, case_depth=0.8))
+    solution = nh.solve(contact, load=8e3, tilt=1e-4)
+    (core,) = [check for check in judge(solution, body="b", search=False) if "core" in check.sentence]
+    bound = float(re.search(r"at most (\S+) MPa", core.sentence)[1])
+    assert bound >= assess(solution, body="b").core.von_mises.max

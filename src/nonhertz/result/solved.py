@@ -151,15 +151,16 @@ class Solved(HasFindings, ReadOnly, brief.HasHtml, _Derived):
 
     @property
     def remarks(self) -> tuple[Finding, ...]:
-        """Remarks that do not strain the model: edge loading, where a tilt leaves contact at one end only."""
+        """Remarks that do not strain the model: edge loading, where contact is left at the ends only."""
         (low, high), (first, last) = self.contact.interval, self.contact.land
         common = high - low
         if not (self.contact_y and math.isfinite(common) and self.contact_length < _PARTLY * common):
             return ()
-        if min(self.contact_y[0][0] - first, last - self.contact_y[-1][1]) > _AT_END * common:
+        reached = sum(gap <= _AT_END * common for gap in (self.contact_y[0][0] - first, last - self.contact_y[-1][1]))
+        if not reached:
             return ()  # a crowned body touches in its middle
-        parts = mm(self.contact_length, common, between=" of ")
-        return (finding("partial-contact", "Only {parts:.3g} are in contact, at one end.", parts=parts),)
+        parts, where = mm(self.contact_length, common, between=" of "), ("one end", "both ends")[reached - 1]
+        return (finding("partial-contact", f"Only {{parts:.3g}} are in contact, at {where}.", parts=parts),)
 
 
 FINITE: Final = ("approach", "tilt", "load", "moment", "max_pressure", "max_half_width")

@@ -488,6 +488,6 @@ def _band(job: tuple[Task, Array, float, int, float]) -> Band:
                 break
             middle = 0.5 * (inside + outside)
             inside, outside = (inside, middle) if worse(middle) else (middle, outside)
-        return 0.5 * (inside + outside)
+        return inside  # the loss of what is stated is no larger than its cost
 
     return Band(variable.path, cost, variable.value(reach(0.0)), variable.value(reach(1.0)))
