@@ -326,7 +326,7 @@ def sweep(
     Returns
     -------
     Sweep
-        One row for each combination of values; ``sweep["max_pressure"]`` is an array of its `shape`.
+        One row for each combination of values; ``sweep["max_pressure"]`` is an array of its ``shape``.
 
     Raises
     ------
