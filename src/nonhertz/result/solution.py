@@ -42,7 +42,7 @@ Values = TypeVar("Values", bound=NDArray[Any])
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Solution(Solved):
-    """A solved contact; its arrays have one value for each strip, at the positions `y`.
+    """A solved contact; its arrays have one value for each strip, at the positions ``y``.
 
     Attributes
     ----------
