@@ -308,3 +308,8 @@ def test_a_clearance_between_rows_is_small_in_the_bearing(clearance):
     row = nh.read_bearing(Path(__file__).parents[2] / "examples" / "tapered-pair.toml").bearing.bearings[0]
     with pytest.raises(nh.InputError, match=r"^pair\.clearance = \S+ must lie between -1\.23 and 1\.23 mm"):
         nh.bearing.paired(row, "O", 20.0, clearance=clearance)
+
+
+def test_thrust_bearings_may_be_millimetres_apart():
+    """Their rings move along the axis, which changes no direction in which rollers are pressed."""
+    assert nh.bearing.paired(washers(), "O", 40.0, clearance=0.5).clearance == 0.5

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nonhertz.amounts import mm
 from nonhertz.bearing.fits import CLEARANCE_GROUPS
 from nonhertz.bearing.ribs import Rib
 from nonhertz.errors import InputError
@@ -36,6 +37,14 @@ def function_of_angle(name: str, value: Any, remedy: str) -> None:
     """Refuse anything but a function of the angle."""
     if not callable(value):
         raise InputError(name, value, "be a function of the angle", remedy)
+
+
+def refuse_large_clearance(name: str, clearance: float, radial: float, pitch: float) -> None:
+    """Refuse a clearance, axial or radial, whose radial one is not small in a row of this pitch diameter [mm]."""
+    if abs(radial) > MOST_CLEARANCE * pitch:
+        most = abs(clearance / radial) * MOST_CLEARANCE * pitch
+        condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
+        raise InputError(name, clearance, condition, "give it in mm: 20 um are 0.02")
 
 
 def likely_raceway(values: Mapping[str, Any]) -> type[Body]:

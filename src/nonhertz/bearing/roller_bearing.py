@@ -27,6 +27,7 @@ from nonhertz.bearing.parts import (
     Rollers,
     Shape,
     function_of_angle,
+    refuse_large_clearance,
 )
 from nonhertz.bearing.ribs import End, RibContact
 from nonhertz.bearing.row import Row
@@ -193,12 +194,8 @@ class RollerBearing(Input):
 
     @cross_check("roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "clearance", "bore")
     def _check_clearance(self) -> None:
-        radial = abs(self.radial_clearance or 0.0)
-        if radial > MOST_CLEARANCE * self.pitch:
-            clearance = self.clearance_range.likely  # axial or radial, as given
-            most = abs(clearance) / radial * MOST_CLEARANCE * self.pitch
-            condition = f"lie between {-most:.3g} and {mm(most):.3g}, for displacements that are small in this bearing"
-            raise InputError("clearance", clearance, condition, "give it in mm: 20 um are 0.02")
+        if self.radial_clearance is not None:
+            refuse_large_clearance("clearance", self.clearance_range.likely, self.radial_clearance, self.pitch)
 
     @cross_check(
         "roller", "inner", "outer", "rollers", "pitch_diameter", "contact_angle", "design", "rib", "axial_clearance"
