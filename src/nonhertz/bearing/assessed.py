@@ -97,7 +97,7 @@ class BearingLife(HasFindings, HasHtml):
     speed : float or None
         Speed for lives in hours [1/min], of a spectrum the mean over the time; None if not known.
     pressed : bool
-        Whether the inner ring loads rollers, of a spectrum under its first load.
+        Whether the inner ring loads rollers, of a spectrum under one of its loads.
     """
 
     rating: Rating
@@ -501,4 +501,5 @@ def _combine_lives(parts: tuple[tuple[BearingLife, float], ...], conditions: _Co
         parts=parts,
         axial_on_ribs=max(columns["axial_on_ribs"]),
         speed=math.fsum(shares) / math.fsum(minutes) if minutes else None,
+        pressed=any(life.pressed for life in lives),
     )

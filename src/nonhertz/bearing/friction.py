@@ -188,9 +188,14 @@ def reference_speed(bearing: RollerBearing | Paired, static: float) -> float | N
     if not factors or row.bore is None or row.outside_diameter is None or row.width is None:
         return None
     thrust = isinstance(row, CylindricalThrustBearing)
-    f1 = load_factor(factors, (_THRUST if thrust else _RADIAL).share)
+    f1 = load_factor(factors, reference_load_share(row))
     sizes = {"bore": row.bore, "outside_diameter": row.outside_diameter, "width": row.width}
     return thermal_speed(factors["f0"][_OIL], f1, **sizes, static=static, thrust=thrust)
+
+
+def reference_load_share(row: RollerBearing) -> float:
+    """Return the load over C_0 at which ISO 15312 rates the speed of a row [-]."""
+    return (_THRUST if isinstance(row, CylindricalThrustBearing) else _RADIAL).share
 
 
 def of_series(bearing: RollerBearing | Paired) -> tuple[RollerBearing, dict[str, Any]]:

@@ -31,7 +31,7 @@ import numpy as np
 
 from nonhertz.amounts import format_digits, mpa, newton
 from nonhertz.bearing.bearings import CylindricalThrustBearing, RollerBearing, SphericalRollerBearing
-from nonhertz.bearing.friction import reference_speed
+from nonhertz.bearing.friction import reference_load_share, reference_speed
 from nonhertz.bearing.pairs import Paired
 from nonhertz.bearing.ratings import Rating, are_opposed, axial_and_radial, axial_on_ribs, equivalent_loads
 from nonhertz.bearing.solution import BearingSolution
@@ -184,7 +184,9 @@ def _ribs(solution: BearingSolution, static: float, grease: bool, ratio: float |
         allowed = rib_limit_schaeffler(factor, radial=radial, mean_diameter=mean, speed=solution.speed)
         other = f"; Schaeffler 2006, oil sump: {newton(allowed):4}"
     amounts = {"load": newton(axial), "limit": newton(by[least])}
-    met = None if axial <= by[least] and (where or axial > allowed) else axial <= by[least]
+    met: bool | None = bool(axial <= by[least])
+    if met and (where or axial > allowed):
+        met = None
     yield Limit(met, finding("rib-limit", words, **amounts, reason=reasons[least], where=where, other=other))
 
 
@@ -226,8 +228,8 @@ def _speed(solution: BearingSolution, static: float) -> Iterator[Limit]:
     if limit is None:
         return
     met = abs(speed) <= limit
-    share = 0.02 if isinstance(solution.bearing.rows[0].bearing, CylindricalThrustBearing) else 0.05
-    rating = f"the thermal speed rating of {{limit}} 1/min (ISO 15312, for a load of {share:g} C0)"
+    load = reference_load_share(solution.bearing.rows[0].bearing)
+    rating = f"the thermal speed rating of {{limit}} 1/min (ISO 15312, for a load of {load:g} C0)"
     words = f"The speed of {{speed}} 1/min is below {rating}."
     if not met:
         words = f"The speed of {{speed}} 1/min exceeds {rating}: whether the bearing stays cool is not judged."

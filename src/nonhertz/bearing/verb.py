@@ -128,8 +128,7 @@ def solve(
     >>> float(nh.bearing.solve(row, radial=20e3, method="slices").load[0, 0].round(-1))
     6840.0
     """
-    speed = BearingLoad(speed=speed).speed
-    solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
+    solver, maps, speed, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs: dict[str, Any] = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
@@ -191,8 +190,7 @@ def solve_many(
     InputError
         If the input is invalid.
     """
-    speed = BearingLoad(speed=speed).speed
-    solver, maps, loaded = _check_options(bearing, speed, turning, method, laminae)
+    solver, maps, speed, loaded = _check_options(bearing, speed, turning, method, laminae)
     inputs = {
         "radial": radial, "axial": axial, "moment": moment, "radial_displacement": radial_displacement,
         "axial_displacement": axial_displacement, "tilt": tilt,
@@ -244,13 +242,14 @@ def adjust_preload(
 
 def _check_options(
     bearing: RollerBearing | Paired, speed: float, turning: str, method: Any, laminae: int
-) -> tuple[BearingSolver, BearingMaps | None, Array]:
-    """Return how a bearing is solved and the loads of its speed on every roller; refuse impossible input."""
+) -> tuple[BearingSolver, BearingMaps | None, float, Array]:
+    """Return how a bearing is solved, its speed [1/min] and the loads of that on rollers; refuse impossible input."""
     if not isinstance(bearing, RollerBearing | Paired):
         remedy = "make one, such as nonhertz.bearing.CylindricalRollerBearing, or take that of a BearingCase"
         raise InputError("bearing", bearing, "be a bearing", remedy)
     maps = method if isinstance(method, BearingMaps) else None
     solver = BearingSolver(method="strips" if maps else method, laminae=laminae)
+    speed = BearingLoad(speed=speed).speed
     rate = PER_MINUTE * speed
     if maps is not None and maps.bearing != bearing:
         raise InputError("method", maps, "be maps of this bearing", "make them with nonhertz.bearing.maps")
@@ -262,7 +261,8 @@ def _check_options(
             f"{mm(pitch):g}, twice the speed at which rings of steel burst"
         )
         raise InputError("speed", speed, condition, "give that of the ring that turns in 1/min")
-    return solver, maps, np.concatenate([np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows])
+    loads = [np.tile(row.load_by_speed(rate, turning), (row.rollers, 1)) for row in rows]
+    return solver, maps, speed, np.concatenate(loads)
 
 
 def _solve_states(

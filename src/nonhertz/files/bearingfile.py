@@ -220,11 +220,11 @@ class BearingCase(CaseBase):
         from nonhertz.bearing.limits import limits
 
         _check_loaded(solution)
-        viscosity, speed = self.lubrication.in_place.viscosity, solution.speed
-        reference = reference_viscosity(speed, self.bearing.rows[0].bearing.pitch) if speed else None
-        ratio = None if viscosity is None or reference is None else viscosity / reference
-        known: dict[str, Any] = {"rating": self._rating, "clearance": self.operating_clearance}
-        return limits(solution, **known, grease=self.lubrication.grease, viscosity_ratio=ratio)
+        oil, speed, pitch = self.lubrication, solution.speed, self.bearing.rows[0].bearing.pitch
+        ratio = oil.in_place.viscosity / reference_viscosity(speed, pitch) if oil.in_place.viscosity and speed else None
+        return limits(
+            solution, rating=self._rating, clearance=self.operating_clearance, grease=oil.grease, viscosity_ratio=ratio
+        )
 
     def verdict(self, solution: BearingSolution, life: BearingLife | None = None) -> Verdict | None:
         """Return the verdict on the loaded bearing; with a life under a spectrum the worst of all its loads too."""

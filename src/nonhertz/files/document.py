@@ -22,7 +22,7 @@ from nonhertz.findings import Finding
 from nonhertz.inputs.assumed import collect_assumptions
 from nonhertz.inputs.checks import one_line
 from nonhertz.inputs.descriptions import unknown_key_error
-from nonhertz.inputs.fields import Input, short_repr
+from nonhertz.inputs.fields import Input, call_repr
 from nonhertz.inputs.files import printable_name, relative_path
 
 MOST_ATTACHED = 10_000_000  # bytes; larger files are not attached
@@ -103,7 +103,7 @@ class Document:
         one_line("title", self.title, "give a short name")
 
     def __repr__(self) -> str:
-        return short_repr(self)
+        return call_repr(self)
 
     def _with_origin(self, origin: Origin) -> Self:
         """Store the contents of the file from which it has just been read, and return it."""

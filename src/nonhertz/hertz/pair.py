@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 from nonhertz.errors import InputError
 from nonhertz.inputs.checks import positive
 from nonhertz.model.material import Material
-from nonhertz.model.materials import NamedMaterial
+from nonhertz.model.materials import NAMED
 
 Array = NDArray[np.float64]
 Materials = tuple[Material | str, Material | str]
 
 PLACES_REMEDY = "give positions in mm"
-_MATERIAL = get_args(NamedMaterial)[1]
 
 
 def total_compliance(compliance: float | None, e_star: float | None, materials: Materials | None) -> float:
@@ -31,7 +30,7 @@ def total_compliance(compliance: float | None, e_star: float | None, materials: 
     if materials is not None:
         if not (isinstance(materials, tuple | list) and len(materials) == 2):
             raise InputError("materials", materials, "be a pair", "give those of body a and body b")
-        return float(sum(_MATERIAL.validate(f"materials[{i}]", one).compliance for i, one in enumerate(materials)))
+        return float(sum(NAMED.validate(f"materials[{i}]", one).compliance for i, one in enumerate(materials)))
     if e_star is not None:
         positive("e_star", e_star, "give 1 / ((1 - nu_a^2) / E_a + (1 - nu_b^2) / E_b) in MPa")
         return 1.0 / (math.pi * float(e_star))

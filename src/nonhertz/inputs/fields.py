@@ -108,7 +108,7 @@ class Input:
             check(self)
 
     def __repr__(self) -> str:
-        return short_repr(self)
+        return call_repr(self)
 
     @property
     def keywords(self) -> dict[str, Any]:
@@ -239,7 +239,7 @@ def mutually_exclusive_errors(cls: type[Input], provided: Mapping[str, Any]) -> 
     ]
 
 
-def short_repr(value: Any) -> str:
+def call_repr(value: Any) -> str:
     """Return the call that makes a dataclass as a user would type it, without defaults and hidden fields."""
     values = {
         field.name: (getattr(value, field.name), default_of(field)) for field in dataclasses.fields(value) if field.repr

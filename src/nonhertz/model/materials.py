@@ -7,7 +7,7 @@ treatment. A data sheet of the actual grade takes precedence.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Final
 
 from nonhertz.inputs.checks import text
 from nonhertz.inputs.descriptions import Part, unknown_word_error
@@ -190,16 +190,14 @@ MATERIALS = _Materials(
     | {other: entry.material for entry in LIBRARY for other in entry.others}
 )
 
-#: The material of a part, which may be given by its name.
-NamedMaterial = Annotated[
+#: What the material of a part may be: one of these by its name, or any other.
+NAMED: Final = Part(
+    "name of a material, or a table of modulus, poisson and strengths",
     Material,
-    Part(
-        "name of a material, or a table of modulus, poisson and strengths",
-        Material,
-        "give modulus and poisson, or a name such as 'steel' or '100Cr6'",
-        MATERIALS,
-    ),
-]
+    "give modulus and poisson, or a name such as 'steel' or '100Cr6'",
+    MATERIALS,
+)
+NamedMaterial = Annotated[Material, NAMED]
 
 
 def find_entry(name: str) -> Entry:

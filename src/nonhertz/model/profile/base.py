@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nonhertz.inputs.checks import finite, numbers
-from nonhertz.inputs.fields import short_repr
+from nonhertz.inputs.fields import call_repr
 
 Array = NDArray[np.float64]
 
@@ -138,7 +138,7 @@ class Formula(Profile):
 
     def _show(self) -> str:
         """Return the call that makes this profile."""
-        return self._call or short_repr(self)
+        return self._call or call_repr(self)
 
     def relief(self, y: ArrayLike) -> Array:
         """Return the relief [mm] at the axial positions ``y`` [mm], an array of the same shape."""
