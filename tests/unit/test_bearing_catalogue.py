@@ -99,6 +99,17 @@ def test_cones_of_a_guess_meet_in_one_point(catalogue, limiting_ratio):
             dataclasses.replace(row, roller=narrowed(row.roller, by))
 
 
+@pytest.mark.parametrize("angle", [15.0, 30.0, 38.0, 41.0])
+def test_raceways_lie_between_bore_and_outside_diameter_at_their_ends_too(angle):
+    row = tapered(40.0, 80.0, 19.75, 75e3, 68e3, contact_angle=math.radians(angle)).bearing
+    inner, outer = (
+        abs(ring.diameter) + sign * row.roller_length * math.sin(of)
+        for ring, of, sign in zip((row.inner, row.outer), row.contact_angles, (-1.0, 1.0), strict=True)
+    )
+    assert inner > 40.0
+    assert outer < 80.0
+
+
 def narrowed(roller, by):
     """Return a roller with other diameters and the same cone angle."""
     less = (by - 1.0) * sum(roller.diameter.diameter) / 2.0

@@ -293,14 +293,34 @@ class _Inside:
         return self.rollers * self.diameter / (math.pi * self.pitch)
 
     @property
+    def half(self) -> float:
+        """Half of the rollers' cone angle [rad]."""
+        return half_cone(self.diameter / self.pitch, self.sizes.angle)
+
+    @property
+    def raceways(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Diameter in the middle [mm] and sine of the angle to the axis of the inner and the outer raceway."""
+        angle, half = self.sizes.angle, self.half
+        if not angle:  # the apex is at infinity
+            return (self.pitch - self.diameter, 0.0), (self.pitch + self.diameter, 0.0)
+        axis = math.tan(angle - half)
+        inner, outer = ((self.pitch * math.tan(of) / axis, math.sin(of)) for of in (angle - 2.0 * half, angle))
+        return inner, outer
+
+    @property
     def fits(self) -> bool:
         """Whether rollers fit side by side and between faces and rings."""
         beside = (
             self.pitch > self.diameter and self.rollers * math.asin(self.diameter / self.pitch) <= FULLEST * math.pi
         )
         along = LEAST_LENGTH * self.sizes.width <= self.length <= MOST_LENGTH * self.sizes.width
-        walls = self.pitch - self.across > self.sizes.bore and self.pitch + self.across < self.sizes.outside
-        return beside and along and walls
+        return beside and along and self._inside_rings
+
+    @property
+    def _inside_rings(self) -> bool:
+        """Whether raceways lie between bore and outside diameter over their whole length."""
+        (inner, slope), (outer, outer_slope) = self.raceways
+        return inner - self.length * slope > self.sizes.bore and outer + self.length * outer_slope < self.sizes.outside
 
     @property
     def factor(self) -> float:
@@ -362,21 +382,16 @@ def _build_bearing(sizes: _Sizes, inside: _Inside, clearance: float) -> RollerBe
     diameter, length, pitch = inside.diameter, inside.length, inside.pitch
     known: dict[str, Any] = {"bore": sizes.bore, "outside_diameter": sizes.outside, "width": sizes.width}
     known |= {"rollers": inside.rollers, "clearance": clearance}
+    inner, outer = _rings(sizes, *(middle for middle, _ in inside.raceways))
     if sizes.kind != "tapered":
         roller = Roller(diameter=diameter, length=length, profile=profile.iso_logarithmic(diameter, length))
         make = NeedleRollerBearing if sizes.kind == "needle" else CylindricalRollerBearing
-        inner, outer = _rings(sizes, pitch - diameter, pitch + diameter)
         return make(roller=roller, inner=inner, outer=outer, **known)
-    half = half_cone(diameter / pitch, sizes.angle)
-    axis = math.tan(sizes.angle - half)
-    low, high = (pitch * math.tan(angle) / axis for angle in (sizes.angle - 2.0 * half, sizes.angle))
-    ends = diameter + length * math.tan(half) * np.array([1.0, -1.0])
+    ends = diameter + length * math.tan(inside.half) * np.array([1.0, -1.0])
     narrowing = TabulatedDiameter((-0.5 * length, 0.5 * length), tuple(ends.tolist()))
     roller = Roller(diameter=narrowing, length=length, profile=profile.iso_tapered(diameter, length))
-    inner, outer = _rings(sizes, low, high)
-    angle = sizes.angle
     return TaperedRollerBearing(
-        roller=roller, inner=inner, outer=outer, pitch_diameter=pitch, contact_angle=angle, **known
+        roller=roller, inner=inner, outer=outer, pitch_diameter=pitch, contact_angle=sizes.angle, **known
     )
 
 
