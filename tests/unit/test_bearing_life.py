@@ -199,6 +199,21 @@ def test_a_spectrum_has_no_basic_life_where_one_of_its_loads_has_none():
     )
 
 
+def test_hours_say_at_what_speed_the_bearing_turns_without_load():
+    loads = [B.solve(row(), radial=8e3, method="slices"), B.solve(row(), radial=4e3, method="slices")]
+    part = B.assess([(loads[0], 0.2), (loads[1], 0.3)], speed=[1500.0, 500.0])
+    # 0.2 of the revolutions at 1500 and 0.3 at 500 take 0.2 / 1500 + 0.3 / 500 minutes.
+    mean = 0.5 / (0.2 / 1500.0 + 0.3 / 500.0)
+    assert part.speed == pytest.approx(mean)
+    assert part.findings[-1].kind == "unloaded-speed"
+    assert (
+        f"the 0.5 of the revolutions that are without load take place at the mean speed of the others, {mean:.4g}"
+        in (part.warnings[-1])
+    )
+    for speed, shares in ((1500.0, (0.2, 0.3)), ([1500.0, 500.0], (0.5, 0.5)), (None, (0.2, 0.3))):
+        assert not B.assess(list(zip(loads, shares, strict=True)), speed=speed).findings
+
+
 def test_shares_below_one_are_taken_as_they_are_and_above_one_refused():
     found = B.solve(row(), radial=6e3, method="slices")
     assert B.assess([(found, 0.5)]).basic_life == pytest.approx(2.0 * B.assess(found).basic_life)

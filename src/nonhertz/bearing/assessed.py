@@ -42,7 +42,7 @@ from nonhertz.inputs.descriptions import Count, Quantity, Word
 from nonhertz.inputs.fields import Input, document_parameters, input_class
 from nonhertz.life.lamina import EDGE_STRESS, FEWEST, MOST
 from nonhertz.life.required import REQUIRED, million_revolutions
-from nonhertz.life.spectrum import check_shares, miner
+from nonhertz.life.spectrum import WHOLE, check_shares, miner
 from nonhertz.result.brief import HasHtml, plain_text
 from nonhertz.result.edges import SingularEnd
 from nonhertz.result.ends import ends_in_words
@@ -181,6 +181,11 @@ class BearingLife(HasFindings, HasHtml):
         if self.axial_on_ribs:
             words = "Ribs support the axial load of {load:4}, which no life here includes."
             notes.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
+        rest = 1.0 - math.fsum(share for _, share in self.parts)
+        if self.speed is not None and rest > WHOLE and len({life.speed for life, _ in self.parts}) > 1:
+            words = "Hours assume that the {rest:.3g} of the revolutions that are without load take place at the mean "
+            words += "speed of the others, {speed:.4g} 1/min."
+            notes.append(finding("unloaded-speed", words, rest=rest, speed=self.speed))
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(life.equivalent_load for life in lives)
         by_rollers = max((life.reference_load for life in lives if not math.isnan(life.reference_life)), default=0.0)
