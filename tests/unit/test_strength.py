@@ -148,12 +148,13 @@ def test_static_safety_is_the_square_of_the_pressures(plain, largest):
     found = assess(with_material(plain, pressure_limit=2.0 * plain.max_pressure), largest=largest)
     assert found.static_safety == pytest.approx(4.0, rel=1e-12)
     assert found.checks[0].sentence.endswith(
-        f"MPa is 50 % of the limit of body a, {format_input(2.0 * plain.max_pressure)} MPa: static safety S0 = 4.00."
+        f"MPa is 50 % of the limit of body a, {format_input(2.0 * plain.max_pressure)} MPa: static safety S0 = 4.00 "
+        "as for a line contact."
     )
     over = assess(with_material(plain, pressure_limit=0.8 * plain.max_pressure), largest=largest)
     assert over.static_safety == pytest.approx(0.64, rel=1e-12)
     assert over.verdict is CheckStatus.OVER
-    assert " by 25 %: static safety S0 = 0.640." in over.sentences[0]
+    assert " by 25 %: static safety S0 = 0.640 as for a line contact." in over.sentences[0]
 
 
 # What is not known
