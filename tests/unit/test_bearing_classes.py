@@ -5,6 +5,7 @@ import json
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 from few_rollers import changed
 
@@ -143,7 +144,8 @@ def test_results_are_written_shown_and_read_back_without_solving(solved, tmp_pat
     path.write_text(json.dumps(written))
     monkeypatch.setattr(BearingCase, "solve", None)
     back = nh.read_result(path)
-    assert back.case.tolerances(back.solution, life) == case.tolerances(solution, life)
+    restored, expected = (one.tolerances(of, life) for one, of in ((back.case, back.solution), (case, solution)))
+    np.testing.assert_equal(dataclasses.asdict(restored), dataclasses.asdict(expected))  # a pressure by slices is NaN
 
 
 def test_where_a_limit_has_no_solution_there_are_no_numbers(solved, monkeypatch):
