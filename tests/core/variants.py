@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -15,7 +16,11 @@ O2 = {"CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG"}
 # With names in what they report, and with assertions of the standard library.
 SANITIZED = {"CMAKE_BUILD_TYPE": "RelWithDebInfo", "CMAKE_CXX_FLAGS_RELWITHDEBINFO": ""}
 _OPTIONS = "-O1 -g -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS"
-MEMORY = SANITIZED | {"CMAKE_CXX_FLAGS": f"{_OPTIONS} -fsanitize=address,undefined -fno-sanitize-recover=undefined"}
+MEMORY = (
+    BASELINE
+    | SANITIZED
+    | {"CMAKE_CXX_FLAGS": f"{_OPTIONS} -fsanitize=address,undefined -fno-sanitize-recover=undefined"}
+)
 THREADS = SANITIZED | {"CMAKE_CXX_FLAGS": f"{_OPTIONS} -fsanitize=thread"}
 
 
@@ -52,3 +57,12 @@ def environment(module: Path | None) -> dict[str, str]:
         paths.append(inherited)
     chosen = {"NONHERTZ_TEST_CORE": str(module)} if module else {}
     return os.environ | {"PYTHONPATH": os.pathsep.join(paths)} | chosen
+
+
+@cache
+def numbers_of(module: Path | None, times: int) -> list[str]:
+    """Return the numbers of random cases by a core, to the last digit, a case a line; see digits.py."""
+    words = [sys.executable, Path(__file__).with_name("digits.py"), str(times)]
+    done = subprocess.run(words, env=environment(module), capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()

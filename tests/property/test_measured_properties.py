@@ -10,7 +10,7 @@ from nonhertz.errors import InputError
 from nonhertz.files.traces import read_trace
 from nonhertz.measured import Trace, prepare
 
-Y = np.linspace(-5.0, 5.0, 2001)
+Y = np.linspace(-5.0, 5.0, 1001)
 
 
 def line(radius: float, seed: int) -> np.ndarray:
