@@ -95,6 +95,14 @@ def test_a_path_that_leads_nowhere_names_the_nearest_all_at_once(run):
     ]
 
 
+@pytest.mark.parametrize("path", ["body.a.profile.kind", "body.a.profile[1].kind"])
+def test_a_kind_of_profile_is_set_with_the_whole_profile(path):
+    with pytest.raises(nh.CaseError, match=r"come with the keys of the kind: set 'body.a.profile' to a table"):
+        nh.read_case(CASE, {path: "straight"})
+    case = nh.read_case(CASE, {"body.a.profile": {"kind": "crown", "radius": 2000}})
+    assert case.contact.a.profile.relief(10.0) == pytest.approx(10.0**2 / 4000.0, rel=1e-4)
+
+
 def test_a_part_of_a_named_material_is_set_in_a_table_in_place_of_the_name():
     named = {"body.a.material": "100Cr6"}
     with pytest.raises(

@@ -162,6 +162,9 @@ def find_parameter(path: str, known: Mapping[str, Parameter]) -> Parameter:
     if whole and table in known and known[table].unit is None:  # such as the name of a material
         remedy = f"'{table}' is one word in this file; set that to another, or to a table with '{last}' in it"
         raise InputError(path, path, "be an input of the file", remedy)
+    owner = table.partition("[")[0]
+    if last == "kind" and owner in known:
+        raise InputError(path, path, "come with the keys of the kind", f"set '{owner}' to a table with all of them")
     # The right key in the wrong table is more likely than a misspelled table.
     key = nearest(last, {known_path.rpartition(".")[2]: known_path for known_path in known})
     alike = [known_path for known_path in known if known_path.rpartition(".")[2] == key]
