@@ -11,7 +11,7 @@ from nonhertz.errors import without_accuracy_warnings
 from nonhertz.patch import Dent, Waviness
 
 KINDS = ("ellipse", "crown", "iso", "dent", "waves", "bumps", "balls", "rough", "punch", "wall", "straight", "moment")
-PER_KIND, FINER = extent(8, 1), 6
+PER_KIND, FINER = extent(8, 1), 4
 BODY = nh.Contact(nh.Body(diameter=20), nh.Plate())
 
 
