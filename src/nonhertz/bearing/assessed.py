@@ -183,9 +183,9 @@ class BearingLife(HasFindings, HasHtml):
             notes.append(finding("load-on-ribs", words, load=newton(self.axial_on_ribs)))
         rest = 1.0 - math.fsum(share for _, share in self.parts)
         if self.speed is not None and rest > WHOLE and len({life.speed for life, _ in self.parts}) > 1:
-            words = "Hours assume that the {rest:.3g} of the revolutions that are without load take place at the mean "
-            words += "speed of the others, {speed:.4g} 1/min."
-            notes.append(finding("unloaded-speed", words, rest=rest, speed=self.speed))
+            words = "Hours assume the mean speed of the loads, {speed:.4g} 1/min, for the {percent:.3g} % of the "
+            words += "revolutions without load, too."
+            notes.append(finding("unloaded-speed", words, speed=self.speed, percent=100.0 * rest))
         lives = [life for life, _ in self.parts] or [self]
         heaviest = max(life.equivalent_load for life in lives)
         by_rollers = max((life.reference_load for life in lives if not math.isnan(life.reference_life)), default=0.0)
