@@ -35,7 +35,7 @@ test: $(READY)
 
 # The tests that take seconds each, which `make test` leaves out.
 test-slow: $(READY)
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "$(MARKS)"
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "($(MARKS)) and not browser"
 
 # The same tests in other orders, one for each number.
 test-orders: $(READY)

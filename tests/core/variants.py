@@ -15,7 +15,7 @@ BASELINE = {"IS_V3": "OFF"}
 O2 = {"CMAKE_CXX_FLAGS_RELEASE": "-O2 -DNDEBUG"}
 # With names in what they report, and with assertions of the standard library.
 SANITIZED = {"CMAKE_BUILD_TYPE": "RelWithDebInfo", "CMAKE_CXX_FLAGS_RELWITHDEBINFO": ""}
-_OPTIONS = "-O1 -g -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS"
+_OPTIONS = "-O1 -g1 -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS"
 MEMORY = (
     BASELINE
     | SANITIZED
