@@ -92,7 +92,7 @@ def test_a_refusal_is_one_sentence(text, unit, sentence):
 
 
 def test_what_some_versions_of_pint_take_for_knots_is_meant_as_kilonewtons():
-    with pytest.raises(InputError, match=r"^load = '20 kn' must have a .*: write 20 kN\.$"):
+    with pytest.raises(InputError, match=r"^load = '20 kn' must have a (unit of force|known unit): write 20 kN\.$"):
         to_unit("load", "20 kn", "N")
 
 
